@@ -15,10 +15,9 @@ void add_explain(CLI::App& program) {
   auto o = std::make_shared<Options>();
   CLI::App* command =
       program.add_subcommand("explain", "Explain the keys of a study or project file");
-  command->add_option(
-      "key", o->key,
-      "a table, a key, a value or a measure: building,\nperiod_s, random, uniform, sa_g "
-      "[all keys of a study]");
+  command->add_option("key", o->key,
+                      "a table, a key, a value or a measure: building,\nperiod_s, random, uniform, "
+                      "sa_g [all keys of a study]");
   command->add_flag("--markdown", o->markdown, "print the page studies/GRAMMAR.md");
   command->callback([o] {
     if (o->markdown) {

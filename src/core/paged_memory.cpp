@@ -29,7 +29,6 @@ int open_unnamed(const std::filesystem::path& folder) {
 void* map_pages(const std::filesystem::path& folder, std::size_t bytes) {
   OutputFile file(open_unnamed(folder), folder);
   // Else a full disk would end the process when a page is written.
-  file.reserve(bytes);
   int full = EINTR;
   while (full == EINTR)  // a signal to stop the run
     full = ::posix_fallocate(file.descriptor(), 0, static_cast<off_t>(bytes));

@@ -48,13 +48,13 @@ std::vector<DesignCheck> spectrum_checks(const Project& project, const Results& 
   constexpr double rounding = 5e-4;  // the spectra are at other periods than those of the scaling
   const double ratio = lowest_ratio(spectra, longest_scaled_period_s, to_s);
   checks.push_back(
-      {fmt::format("average SRSS spectrum of the suite over the design spectrum, 2 to {:.3g} s, {}",
-                   to_s,
-                   to_s == longest_s
-                       ? "1.5 times the longest period"
-                       : fmt::format("where the shown spectra end (1.5 times the longest period is "
-                                     "{:.3g} s)",
-                                     longest_s)),
+      {fmt::format(
+           "average SRSS spectrum of the suite over the design spectrum, 2 to {:.3g} s, {}", to_s,
+           to_s == longest_s
+               ? "1.5 times the longest period"
+               : fmt::format(
+                     "where the shown spectra end (1.5 times the longest period is {:.3g} s)",
+                     longest_s)),
        fmt::format("{:.3f} or more{}", ratio,
                    project.without_target ? "" : "; the studies scale the suite to there"),
        fmt::format("{:g} or more (ASCE 7-16, 16.2, recalled)", least_over_target_beyond),
@@ -162,9 +162,9 @@ DesignCheck site_specific_check(const ProjectSite& site) {
   }
   return {"site-specific spectrum over that of S_S, S_1 and site class",
           fmt::format("{:.3f} or more (at {:.3g} s)", lowest.ratio, lowest.period_s),
-          fmt::format("{:g} or more (ASCE 7-16, 21.3, recalled: verify, with F_a and F_v of that "
-                      "section)",
-                      least),
+          fmt::format(
+              "{:g} or more (ASCE 7-16, 21.3, recalled: verify, with F_a and F_v of that section)",
+              least),
           lowest.ratio >= least};
 }
 
@@ -232,9 +232,9 @@ std::vector<std::string> choices_of(const Project& project) {
                     periods_s[i - 1], periods_s[i], widest_step));
   constexpr double least_mass_ratio = 1e-3;
   add(project.building.mass_ratio.back() < least_mass_ratio,
-      fmt::format("the array has {:.2g} times the mass of the building: are the weights in one "
-                  "unit?",
-                  project.building.mass_ratio.back()));
+      fmt::format(
+          "the array has {:.2g} times the mass of the building: are the weights in one unit?",
+          project.building.mass_ratio.back()));
   add(project.building.damping == 0.0, "the building has no damping (damping = 0)");
   for (const auto& available_m : project.available_m)
     add(available_m && *available_m > largest_probable_clearance_m,
@@ -260,10 +260,9 @@ std::vector<std::string> choices_of(const Project& project) {
       "the design life is longer than that of any building");
   const double flattest_deg = project.slope_deg.front();
   add(flattest_deg > 0.0 && flattest_deg < least_drained_deg,
-      fmt::format(
-          "a roof slope of {:g} degrees is flatter than 1/8 in 12, the least of a roof that "
-          "drains: is it a rise in 12 (rise_in_12)?",
-          flattest_deg));
+      fmt::format("a roof slope of {:g} degrees is flatter than 1/8 in 12, the least of a roof "
+                  "that drains: is it a rise in 12 (rise_in_12)?",
+                  flattest_deg));
   return texts;
 }
 
@@ -379,26 +378,23 @@ std::vector<std::string> warnings_on(const Project& project, const Results& dema
     if (!check.is_met) warnings.push_back(not_met_text(check));
   }
   if (const auto lifted = records_with_uplift(demand, at_mce); !lifted.empty())
-    warnings.push_back(
-        fmt::format("at the MCE the array lifts off under {} of {} records ({}): the probability "
-                    "of exceedance at the MCE is outside the model; the required clearance is of "
-                    "the DBE",
-                    lifted.size(), demand.records.size(), fmt::join(lifted, ", ")));
+    warnings.push_back(fmt::format(
+        "at the MCE the array lifts off under {} of {} records ({}): the probability of exceedance "
+        "at the MCE is outside the model; the required clearance is of the DBE",
+        lifted.size(), demand.records.size(), fmt::join(lifted, ", ")));
   for (const StudiedFriction& mu : frictions_of(project)) {
     if (mu.what != bound_name(project.friction)) continue;
     const double clearance_m = required_m(project, demand, mu.value);
     if (clearance_m > design.governing_m)
-      warnings.push_back(
-          fmt::format("with friction {:.3f} ({}) the required displacement, {}, is "
-                      "above the governing one",
-                      mu.value, mu.what, both_units(clearance_m, project.units)));
+      warnings.push_back(fmt::format(
+          "with friction {:.3f} ({}) the required displacement, {}, is above the governing one",
+          mu.value, mu.what, both_units(clearance_m, project.units)));
   }
   const bool moves = design.demand.back().largest_m > 0.0 || design.analysis_m > 0.0;
   if (moves && design.demand.size() == 1) {
-    warnings.push_back(
-        fmt::format("one building period is given, {:.3g} s: at others the displacement may be "
-                    "larger",
-                    design.period_s));
+    warnings.push_back(fmt::format(
+        "one building period is given, {:.3g} s: at others the displacement may be larger",
+        design.period_s));
   } else if (moves && (design.period_s == design.demand.front().period_s ||
                        design.period_s == design.demand.back().period_s)) {
     warnings.push_back(fmt::format(

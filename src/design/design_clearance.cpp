@@ -324,11 +324,10 @@ void add_exceedance(const Project& project, const Results& probability, DesignCl
        fmt::format("{:g} % or less (a limit of this program)", 100.0 * accepted_exceedance),
        is_rare});
   if (!is_rare)
-    design.warnings.push_back(fmt::format(
-        "the governing displacement is exceeded with a probability of {:.2g} % at the DBE and "
-        "{:.2g} "
-        "% at the MCE",
-        100.0 * at_dbe.probability, 100.0 * design.compared.front().mce.probability));
+    design.warnings.push_back(
+        fmt::format("the governing displacement is exceeded with a probability of {:.2g} % at the "
+                    "DBE and {:.2g} % at the MCE",
+                    100.0 * at_dbe.probability, 100.0 * design.compared.front().mce.probability));
   for (std::string warning : probability.warnings) {
     if (warning.find("[shape]") != std::string::npos) continue;  // of fitted curves: none is used
     const std::string key = " (intensity.levels)";               // which a project has not

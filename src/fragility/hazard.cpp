@@ -9,8 +9,8 @@
 
 #include "glissade/core/contract.hpp"
 #include "glissade/core/error.hpp"
+#include "glissade/core/finite.hpp"
 #include "glissade/core/normal.hpp"
-#include "glissade/core/not_finite.hpp"
 
 namespace glissade {
 namespace {

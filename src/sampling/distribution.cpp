@@ -9,7 +9,7 @@
 #include <numeric>
 
 #include "glissade/core/contract.hpp"
-#include "glissade/core/not_finite.hpp"
+#include "glissade/core/finite.hpp"
 
 namespace glissade {
 namespace {

@@ -90,8 +90,7 @@ std::vector<std::string> notes_on_trace(const TraceFriction& t) {
   const std::string name = fmt::format("test {} {}", t.test, t.direction);
   if (t.travel_m > most_travel_m)
     notes.push_back(
-        fmt::format("{}: the array is pulled over {:.3g} m: check the unit of the "
-                    "displacements",
+        fmt::format("{}: the array is pulled over {:.3g} m: check the unit of the displacements",
                     name, t.travel_m));
   if (t.breakaway_mu < t.sliding_mu) {
     notes.push_back(fmt::format(

@@ -46,11 +46,11 @@ void check_slip(const PullTest& test, const std::vector<double>& slip_m, const S
            "give one pull as one test, with displacement positive along it");
   }
   if (!std::isfinite(*most) || *most <= rule.sliding_from_m) {
-    refuse(test,
-           fmt::format("no sliding: it moves {:.4g} m and sliding counts from {:g} m on", *most,
-                       rule.sliding_from_m),
-           "pull it farther, see whether the displacement's unit is right, or lower "
-           "sliding_from_m");
+    refuse(
+        test,
+        fmt::format("no sliding: it moves {:.4g} m and sliding counts from {:g} m on", *most,
+                    rule.sliding_from_m),
+        "pull it farther, see whether the displacement's unit is right, or lower sliding_from_m");
   }
 }
 

@@ -8,8 +8,8 @@
 #include <numeric>
 
 #include "glissade/core/contract.hpp"
+#include "glissade/core/finite.hpp"
 #include "glissade/core/jackknife.hpp"
-#include "glissade/core/not_finite.hpp"
 
 namespace glissade {
 namespace {

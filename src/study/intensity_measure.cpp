@@ -29,11 +29,10 @@ double geometric_mean_sa_mps2(const Motion& motion, double period_s) {
 }
 
 const std::array rows = {
-    MeasureRow{
-        "sds_g", "g", "target",
-        "design spectral acceleration S_DS: each suite is scaled as a whole until its average SRSS "
-        "spectrum is nowhere below the design spectrum, 0 to 2 s",
-        [](const IntensityConfig&) -> std::string { return "S_DS"; }, nullptr},
+    MeasureRow{"sds_g", "g", "target",
+               "design spectral acceleration S_DS: each suite is scaled as a whole until its "
+               "average SRSS spectrum is nowhere below the design spectrum, 0 to 2 s",
+               [](const IntensityConfig&) -> std::string { return "S_DS"; }, nullptr},
     MeasureRow{"ppa_g", "g", nullptr,
                "peak roof acceleration along the slope's plan direction (depends on the building)",
                [](const IntensityConfig&) -> std::string { return "peak roof acceleration"; },

@@ -135,10 +135,24 @@ TEST_F(OutputRuleOfAFolder, a_run_json_of_another_form_is_refused_by_report) {
                     again = folder_->path("again").string();
   fs::create_directory(folder_->path("apart"));
   fs::copy_file(out() / "results.h5", results);
-  for (const char* text : {"{\"skipped\": 3}", "{\"skipped\": [1]}", "[]", "\"text\"", "{", "",
-                           "{\"skipped\": [{\"what\": 1, \"why\": [], \"count\": \"many\"}]}"}) {
+  for (const auto& [text, wrong] :
+       {std::pair(R"({"skipped": 3})", "skipped"),
+        {R"({"skipped": [1]})", "entry"},
+        {R"({"status": "finished", "skips": [3]})", "\"skipped\""},
+        {R"({"skipped": [{"what": 1, "why": "", "count": 1}]})", "\"what\""},
+        {R"({"skipped": [{"what": "a", "why": [], "count": 1}]})", "\"why\""},
+        {R"({"skipped": [{"what": "a", "why": "b", "count": "many"}]})", "\"count\""},
+        {R"({"skipped": [{"what": "a", "why": "b", "count": -1}]})", "\"count\""},
+        {R"({"skipped": [{"what": "a", "why": "b"}]})", "\"count\""},
+        {"[]", "object"},
+        {"[1]", "object"},
+        {"\"text\"", "object"},
+        {"{", "object"},
+        {"", "object"}}) {
     folder_->write("apart/run.json", text);
-    expect_refused(run_program({"report", results, "--out", again}), {"run.json", "remove it"});
+    const Finished child = run_program({"report", results, "--out", again});
+    expect_refused(child, {"run.json", "is not as glissade run writes it", wrong, "remove it"});
+    EXPECT_THAT(child.err, testing::Not(testing::HasSubstr("json.exception"))) << text;
   }
   fs::remove(folder_->path("apart/run.json"));
   EXPECT_EQ(run_program({"report", results, "--out", again}).status, 0);

@@ -53,7 +53,7 @@ TEST_F(Package, numbers_the_records_as_figure_1_does) {
   EXPECT_THAT(read_file(out() / "package.html"), states(">No.<", ">PGD, in<"));
 }
 
-// Its words alone tell the engineer that a clearance which is large enough may not be accepted.
+// Only its words inform the engineer that a clearance which is large enough may not be accepted.
 TEST_F(Package, screen_and_page_say_that_the_answer_is_with_reservation) {
   for (const std::string& text : {finished_.out, read_file(out() / "package.html")})
     EXPECT_THAT(text, states("Reservation"));
@@ -324,6 +324,25 @@ TEST(ClearanceCommand, of_a_project_that_cannot_run_leaves_nothing) {
   expect_refused(run_program({"clearance", folder.write("p.toml", text), "--out", out.string()}),
                  {"nowhere.toml"});
   EXPECT_FALSE(fs::exists(out));
+}
+
+TEST(ClearanceCommand, refuses_a_run_json_of_another_form) {
+  const ScratchFolder folder;
+  const std::string out = folder.path("").string();
+  const auto resumed_with = [&](const std::string& json) {
+    folder.write("run.json", json);
+    return run_program({"clearance", "--resume", out});
+  };
+  for (const char* json : {R"({"command": "clearance", "status": 3, "project": 3})",
+                           R"({"command": "clearance", "status": ["started"], "project": [1]})",
+                           R"({"command": "clearance", "status": "started"})"})
+    expect_refused(resumed_with(json), {"run.json", "\"project\"", "--overwrite"});
+  expect_refused(
+      resumed_with(R"({"command": "clearance", "project": "p.toml", "project_sha256": 3})"),
+      {"run.json", "\"project_sha256\"", "--overwrite"});
+  for (const char* json : {"[1]", R"({"command": 3})", R"({"status": "finished", "skips": [3]})"})
+    expect_refused(resumed_with(json), {"holds no calculation"});
+  EXPECT_EQ(folder.contents(), std::vector<std::string>{"run.json"});
 }
 
 TEST(ClearanceCommand, prints_an_example_and_needs_a_project) {

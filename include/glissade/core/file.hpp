@@ -20,7 +20,7 @@ std::string read_text_file(const std::filesystem::path& path);
 /// leaves the old file as it was. A file or link that already has the new file's name is left alone
 /// and another name is taken. What is there and is not a regular file
 /// (/dev/stdout, /dev/full, a pipe) is written to directly; a symbolic link is followed. Missing
-/// folders are made. Throws InputError telling the path, the system's reason and what to do.
+/// folders are made. Throws InputError with the path, the system's reason and what to do.
 void write_text_file(const std::filesystem::path& path, std::string_view text);
 
 /// The same of regular files only, with a function that writes the partial file, which is there and

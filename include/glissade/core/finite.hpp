@@ -4,11 +4,15 @@
 #include <algorithm>
 #include <cmath>
 #include <initializer_list>
+#include <limits>
 #include <span>
 #include <stdexcept>
 #include <string>
 
 namespace glissade {
+
+inline constexpr double infinity = std::numeric_limits<double>::infinity();
+inline constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 /// Refuses NaN and infinity, in every build: kernels compare and iterate, and would return a number
 /// or not return.

@@ -7,7 +7,7 @@
 #include "block/contact/contact.hpp"
 #include "block/tables/event_bounds.hpp"
 #include "glissade/core/contract.hpp"
-#include "glissade/core/not_finite.hpp"
+#include "glissade/core/finite.hpp"
 
 namespace glissade {
 namespace {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "clearance/calculation_record.hpp"
 
+#include <fmt/format.h>
+
 #include <nlohmann/json.hpp>
 
 #include "glissade/core/error.hpp"
@@ -113,7 +115,7 @@ bool is_calculation(const fs::path& folder) { return !record_in(folder).is_null(
 
 bool is_finished_calculation(const fs::path& folder) {
   const CalculationJson json = record_in(folder);
-  return json.is_object() && json.value("status", "") == "finished";
+  return json.is_object() && json.value("status", CalculationJson()) == "finished";
 }
 
 CalculationIdentity read_calculation(const fs::path& folder) {
@@ -121,7 +123,18 @@ CalculationIdentity read_calculation(const fs::path& folder) {
   if (json.is_null())
     throw InputError({"--resume", folder.string() + " holds no calculation that was begun",
                       "give the --out of an earlier glissade clearance", ""});
-  return {json.value("project", ""), json.value("project_sha256", "")};
+  const auto text = [&](const char* key) {
+    const CalculationJson value = json.value(key, CalculationJson());
+    if (!value.is_string())
+      throw InputError(
+          {(folder / "run.json").string(),
+           fmt::format("is not as glissade clearance writes it: it has no text \"{}\"", key),
+           "begin again: glissade clearance PROJECT --overwrite --out " +
+               quoted_for_shell(folder.string()),
+           ""});
+    return value.get<std::string>();
+  };
+  return {text("project"), text("project_sha256")};
 }
 
 void write_begun_calculation(const CalculationIdentity& identity, const char* status,

@@ -8,7 +8,7 @@
 #include "commands.hpp"
 #include "fit/fit_output.hpp"
 #include "glissade/core/error.hpp"
-#include "glissade/core/not_finite.hpp"
+#include "glissade/core/finite.hpp"
 #include "glissade/fragility/bootstrap.hpp"
 #include "glissade/io/fit_input.hpp"
 

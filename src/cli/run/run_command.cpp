@@ -295,9 +295,9 @@ void add_run(CLI::App& program, const Communicator& world) {
   add_overwrite(*command, options->overwrite);
   CLI::Option* dry_run =
       command->add_flag("--dry-run", options->dry_run, "the same as `glissade check`");
-  command->add_flag("--no-skip", options->no_skip,
-                    "also compute what the study does not need: much slower, the same results to "
-                    "the last bit");
+  command->add_flag(
+      "--no-skip", options->no_skip,
+      "also compute what the study does not need: much slower, the same results to the last bit");
   for (CLI::Option* other : {out, dry_run, command->get_option("--overwrite"), part})
     resume->excludes(other);
   part->excludes(dry_run);

@@ -7,6 +7,7 @@
 
 #include <array>
 #include <fstream>
+#include <functional>
 #include <nlohmann/json.hpp>
 
 #include "glissade/core/error.hpp"
@@ -67,7 +68,7 @@ Json read_run_json(const std::filesystem::path& run_json_file) {
   Json json = Json::parse(
       in, [](int depth, Json::parse_event_t, Json&) { return depth <= most_depth; },
       /*allow_exceptions=*/false);
-  return json.is_discarded() ? Json() : json;
+  return json.is_object() ? json : Json();
 }
 
 double peak_memory_mb() {
@@ -131,6 +132,15 @@ Json status_in(const std::filesystem::path& run_json_file) {
   return json.is_object() ? json.value("status", Json()) : Json();
 }
 
+/// A started run.json, to which what is to be done is added.
+Json stopped(const std::filesystem::path& run_json_file, const std::string& reason) {
+  Json json = read_run_json(run_json_file);
+  json["status"] = "stopped";
+  json["stopped_by"] = reason;
+  json["stopped_utc"] = now_utc();
+  return json;
+}
+
 }  // namespace
 
 bool is_started(const std::filesystem::path& run_json_file) {
@@ -145,12 +155,15 @@ bool is_finished(const std::filesystem::path& run_json_file) {
 std::string stopped_json(const std::filesystem::path& run_json_file, const std::string& reason,
                          std::uint64_t done_units, std::uint64_t units,
                          const std::string& what_to_do) {
-  Json json = read_run_json(run_json_file);
-  json["status"] = "stopped";
-  json["stopped_by"] = reason;
-  json["stopped_utc"] = now_utc();
+  Json json = stopped(run_json_file, reason);
   json["units_done"] = done_units;
   json["units"] = units;
+  json["what_to_do"] = what_to_do;
+  return json.dump(2) + "\n";
+}
+
+std::string failed_json(const std::filesystem::path& run_json_file, const std::string& what_to_do) {
+  Json json = stopped(run_json_file, "an error");
   json["what_to_do"] = what_to_do;
   return json.dump(2) + "\n";
 }
@@ -175,21 +188,38 @@ std::string unreported_json(const std::filesystem::path& run_json_file,
   return json.dump(2) + "\n";
 }
 
+namespace {
+
+Skip skip_in(const Json& entry, const std::function<InputError(std::string)>& refused) {
+  const auto text = [&](const char* key) {
+    const Json value = entry.value(key, Json());
+    if (!value.is_string())
+      throw refused(fmt::format("an entry of skipped has no text \"{}\"", key));
+    return value.get<std::string>();
+  };
+  if (!entry.is_object()) throw refused("an entry of skipped is no object {}");
+  const Json count = entry.value("count", Json());
+  if (!count.is_number_unsigned())
+    throw refused("an entry of skipped has no whole number \"count\" of 0 or more");
+  return {text("what"), text("why"), count.get<std::uint64_t>()};
+}
+
+}  // namespace
+
 std::vector<Skip> skips_in(const std::filesystem::path& run_json_file) {
+  const auto refused = [&](const std::string& why) {
+    return InputError({run_json_file.string(), "is not as glissade run writes it: " + why,
+                       "remove it; the report then does not list what was skipped", ""});
+  };
   std::error_code ignored;
   if (!std::filesystem::exists(run_json_file, ignored)) return {};
+  const Json json = read_run_json(run_json_file);
+  if (!json.is_object()) throw refused("no JSON object {} of less than 1 MiB can be read");
+  const Json skipped = json.value("skipped", Json());
+  if (skipped.is_null() && json.value("status", Json()) != "finished") return {};  // unreported
+  if (!skipped.is_array()) throw refused("it has no list \"skipped\": []");
   std::vector<Skip> skips;
-  try {
-    const auto json = Json::parse(read_text_file(run_json_file));
-    for (const auto& skip : json.value("skipped", Json::array())) {
-      skips.push_back({skip.at("what").get<std::string>(), skip.at("why").get<std::string>(),
-                       skip.at("count").get<std::uint64_t>()});
-    }
-  } catch (const nlohmann::json::exception& error) {
-    throw InputError({run_json_file.string(),
-                      std::string("is not as glissade run writes it: ") + error.what(),
-                      "remove it; the report then does not list what was skipped", ""});
-  }
+  for (const Json& entry : skipped) skips.push_back(skip_in(entry, refused));
   return skips;
 }
 

@@ -29,8 +29,8 @@ class PhaseClock {
 /// "2026-01-31T12:00:00Z".
 std::string now_utc();
 
-/// A run.json; null where it is not there, is no regular file, or not JSON as a run writes it
-/// (larger, or nested deeper).
+/// A run.json, an object; null where it is not there, is no regular file, or not JSON as a run
+/// writes it (larger, or nested deeper).
 nlohmann::ordered_json read_run_json(const std::filesystem::path& run_json_file);
 
 /// run.json while a run is under way, or was killed: its folder is taken.
@@ -43,6 +43,9 @@ bool is_started(const std::filesystem::path& run_json_file);
 std::string stopped_json(const std::filesystem::path& run_json_file, const std::string& reason,
                          std::uint64_t done_units, std::uint64_t units,
                          const std::string& what_to_do);
+
+/// The same of a run that an error ended, with units in its journals.
+std::string failed_json(const std::filesystem::path& run_json_file, const std::string& what_to_do);
 
 /// A started run.json as it is where a part of a run is done.
 std::string part_json(const std::filesystem::path& run_json_file, std::uint64_t units);

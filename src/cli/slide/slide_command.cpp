@@ -64,10 +64,9 @@ Json number_or_null(double x) { return std::isfinite(x) ? Json(x) : Json(nullptr
 std::vector<std::string> warnings_on(const SlideOptions& o, const Motion& motion, double pga_g) {
   std::vector<std::string> warnings = improbable_values(motion);
   if ((o.scale || o.pga_g) && pga_g > most_probable_pga_g)
-    warnings.push_back(
-        fmt::format("a PGA of {:.3g} g, with its factor, is above {:g} g: no recorded "
-                    "motion has it",
-                    pga_g, most_probable_pga_g));
+    warnings.push_back(fmt::format(
+        "a PGA of {:.3g} g, with its factor, is above {:g} g: no recorded motion has it", pga_g,
+        most_probable_pga_g));
   if (o.c.friction > most_probable_friction)
     warnings.push_back(fmt::format("a friction of {:.3g} is above {:g}: no roof is known for it",
                                    o.c.friction, most_probable_friction));

@@ -102,11 +102,10 @@ void check_model(const SlideOptions& o, ProblemList& problems) {
   if (kernel == Kernel::tables) return;
   const auto refuse = [&](bool given, const char* option) {
     if (given) {
-      problems.add(
-          {option,
-           "needs one axis, Coulomb friction and a linear building that is not coupled with "
-           "the array only",
-           "leave it out", ""});
+      problems.add({option,
+                    "needs one axis, Coulomb friction and a linear building that is not coupled "
+                    "with the array only",
+                    "leave it out", ""});
     }
   };
   refuse(o.method != "event", "--method");
@@ -175,9 +174,9 @@ void add_options(CLI::App& command, SlideOptions& o) {
           "horizontal acceleration along the slope: PEER AT2, or text of one or two columns")
       ->required();
   command.add_option("--vertical", o.vertical, "vertical acceleration, up positive");
-  command.add_option("--second", o.second,
-                     "second horizontal component, perpendicular to the first: the array slides "
-                     "along two axes");
+  command.add_option(
+      "--second", o.second,
+      "second horizontal component, perpendicular to the first: the array slides along two axes");
   o.given.resize(parameters().size());
   for (const auto& [table, key] : {std::pair{"friction", "mu"}, {"roof", "slope_deg"}}) {
     const std::size_t i = parameter_index(table, key);

@@ -70,9 +70,7 @@ DesignTarget target_of_site(const SelectOptions& o) {
   };
   if (o.edition.empty())
     problems.add({"--edition", "is missing",
-                  "give asce7_10 or asce7_16: their site coefficients "
-                  "differ",
-                  ""});
+                  "give asce7_10 or asce7_16: their site coefficients differ", ""});
   DesignTarget target{
       .edition = o.edition.empty() ? AsceEdition::asce7_16 : parse_asce_edition(o.edition),
       .ss_g = mapped(o.ss_g, "--ss-g"),
@@ -307,8 +305,7 @@ void add_suite_select(CLI::App& suite) {
   command->add_option("--site-class", o->site_class, "class of the site; of a level: E [A to D]");
   command->add_option(
       "--site", o->site,
-      "project or suite file whose site or target is taken: also by S_DS and S_D1 or "
-      "a spectrum");
+      "project or suite file whose site or target is taken: also by S_DS and S_D1 or a spectrum");
   command->add_option("--ss-g", o->ss_g, "the site's own mapped S_s");
   command->add_option("--s1-g", o->s1_g, "the site's own mapped S_1");
   command->add_option("--edition", o->edition, "asce7_10 or asce7_16; required with --ss-g");

@@ -10,8 +10,8 @@
 #include "by_record/resampling.hpp"
 #include "by_record/sandwich.hpp"
 #include "glissade/core/contract.hpp"
+#include "glissade/core/finite.hpp"
 #include "glissade/core/normal.hpp"
-#include "glissade/core/not_finite.hpp"
 
 namespace glissade {
 namespace {

@@ -6,7 +6,7 @@
 
 #include "by_record/resampling.hpp"
 #include "glissade/core/contract.hpp"
-#include "glissade/core/not_finite.hpp"
+#include "glissade/core/finite.hpp"
 #include "glissade/fragility/bootstrap.hpp"
 
 namespace glissade {

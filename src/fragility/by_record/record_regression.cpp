@@ -10,8 +10,8 @@
 
 #include "by_record/resampling.hpp"
 #include "glissade/core/contract.hpp"
+#include "glissade/core/finite.hpp"
 #include "glissade/core/normal.hpp"
-#include "glissade/core/not_finite.hpp"
 #include "lognormal/likelihood.hpp"
 
 namespace glissade {

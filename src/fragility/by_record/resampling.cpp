@@ -7,8 +7,8 @@
 #include <cmath>
 
 #include "glissade/core/contract.hpp"
+#include "glissade/core/finite.hpp"
 #include "glissade/core/normal.hpp"
-#include "glissade/core/not_finite.hpp"
 #include "glissade/core/random.hpp"
 
 namespace glissade {

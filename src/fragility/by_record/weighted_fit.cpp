@@ -73,8 +73,7 @@ void add_line(const ProbitLine& line, double center, const Eigen::MatrixXd& scor
   summary.interval_method = "variance between records (sandwich; Student t, chi-square)";
   if (clusters.effective() < 5)
     add_sentence(summary.note,
-                 "the weight is that of fewer than five records: the intervals are "
-                 "too short");
+                 "the weight is that of fewer than five records: the intervals are too short");
 }
 
 std::vector<LogBracket> in_logs(const std::vector<CapacityBracket>& rows, double& center) {

@@ -5,9 +5,9 @@
 #include <cmath>
 
 #include "by_record/sandwich.hpp"
+#include "glissade/core/finite.hpp"
 #include "glissade/core/jackknife.hpp"
 #include "glissade/core/normal.hpp"
-#include "glissade/core/not_finite.hpp"
 #include "lognormal/likelihood.hpp"
 
 namespace glissade::fragility {
@@ -115,7 +115,8 @@ class CloudRecords {
   }
 
   /// As many as the jackknife's variance is worth, 1 / (2 v) (Satterthwaite 1946), at most those of
-  /// the records; beyond those, if rows of a record tell more, less Student's factor (z/t)^2.
+  /// the records; beyond those, if rows of a record have more information, less Student's factor
+  /// (z/t)^2.
   double log_std_freedom(double of_records) const {
     const double worth = 0.5 / log_std_variance();
     if (std::isnan(worth)) return of_records;

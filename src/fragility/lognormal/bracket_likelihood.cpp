@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "glissade/core/not_finite.hpp"
+#include "glissade/core/finite.hpp"
 
 namespace glissade::fragility {
 namespace {

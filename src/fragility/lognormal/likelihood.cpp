@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "glissade/core/not_finite.hpp"
+#include "glissade/core/finite.hpp"
 #include "lognormal/newton_maximum.hpp"
 
 namespace glissade::fragility {

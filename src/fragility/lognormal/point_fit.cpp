@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "glissade/core/error.hpp"
-#include "glissade/core/not_finite.hpp"
+#include "glissade/core/finite.hpp"
 #include "lognormal/profile.hpp"
 
 namespace glissade::fragility {

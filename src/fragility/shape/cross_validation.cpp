@@ -3,7 +3,7 @@
 #include <cmath>
 #include <functional>
 
-#include "glissade/core/not_finite.hpp"
+#include "glissade/core/finite.hpp"
 #include "lognormal/point_fit.hpp"
 #include "shape/shape.hpp"
 

@@ -39,8 +39,7 @@ AnalysisInFiles ClearanceAnalysis::in_files() {
       .keys =
           {{"factor", "number", fmt::format("{:g}", ClearanceConfig{}.factor),
             "required clearance: this factor on the suite's mean displacement, the largest over "
-            "the "
-            "periods (Walters et al. 2012); also of a [chart]"},
+            "the periods (Walters et al. 2012); also of a [chart]"},
            {"orientation", one_of(orientation_rule_names()),
             quoted(orientation_rule_names(), ClearanceConfig{}.orientation),
             "which mean is the recommended clearance: the largest or the median of the suite's "
@@ -48,17 +47,16 @@ AnalysisInFiles ClearanceAnalysis::in_files() {
             "with all records in one orientation; Walters et al. (2012) take the median"},
            {"without_target", "true or false", "false",
             "a clearance also of a suite that does not meet a design spectrum: not for design"}},
-      .key_needs =
-          {{"clearance", "orientation", "several orientations",
-            [](const TomlTable&, const StudyConfig& s) {
-              return s.orientation.choice == OrientationChoice::all_permutations ||
-                     s.orientation.choice == OrientationChoice::azimuths ||
-                     s.orientation.slope_axis.size() > 1;
-            }},
-           {"clearance", "without_target",
-            "a measure other than \"sds_g\", which scales to the target, or a building period "
-            "above 2 s",
-            [](const TomlTable&, const StudyConfig& s) { return may_miss_target(s); }}},
+      .key_needs = {{"clearance", "orientation", "several orientations",
+                     [](const TomlTable&, const StudyConfig& s) {
+                       return s.orientation.choice == OrientationChoice::all_permutations ||
+                              s.orientation.choice == OrientationChoice::azimuths ||
+                              s.orientation.slope_axis.size() > 1;
+                     }},
+                    {"clearance", "without_target",
+                     "a measure other than \"sds_g\", which scales to the target, or a building "
+                     "period above 2 s",
+                     [](const TomlTable&, const StudyConfig& s) { return may_miss_target(s); }}},
       .uses = {"model.displacement"},
       .stands_alone = true,
       .needs_every_history = true,

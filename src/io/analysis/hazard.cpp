@@ -2,7 +2,7 @@
 #include <algorithm>
 
 #include "analysis/in_files.hpp"
-#include "study/hazard_table.hpp"
+#include "study/analysis_tables.hpp"
 #include "toml/number_list.hpp"
 
 namespace glissade {
@@ -91,9 +91,9 @@ void read_hazard_of_study(const TomlTable& root, StudyConfig& study) {
   if (!study.hazard) return;
   study.hazard->target_rates_per_year = targets;
   if (study.intensity.levels.empty()) return;
-  check_events(table, *study.hazard, study.intensity.levels.front(),
-               "check the curve's unit, which is that of intensity.measure, or begin the levels "
-               "higher");
+  check_events(
+      table, *study.hazard, study.intensity.levels.front(),
+      "check the curve's unit, which is that of intensity.measure, or begin the levels higher");
 }
 
 }  // namespace
@@ -105,8 +105,7 @@ AnalysisInFiles HazardAnalysis::in_files() {
       .keys =
           {{"curve", "path", "none",
             "hazard curve: annual rate of exceedance; CSV with the columns annual_rate and the key "
-            "of "
-            "the study's intensity measure"},
+            "of the study's intensity measure"},
            {"k0", "number", "none", "in place of a curve: annual rate of exceeding x = k0 x^-k"},
            {"k", "number", "none", "the exponent of that"},
            {"sds_g", "number", "none",

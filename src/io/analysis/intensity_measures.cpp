@@ -25,10 +25,9 @@ AnalysisInFiles IntensityMeasuresAnalysis::in_files() {
   return {
       .table = "intensity_measures",
       .read = read_intensity_measures,
-      .keys =
-          {{"sa_periods_s", list_value, "0.2, 0.5, 1, 2",
-            "intensity measures are ranked, spectral accelerations at these periods (0.02 to 4 s) "
-            "among them"}},
+      .keys = {{"sa_periods_s", list_value, "0.2, 0.5, 1, 2",
+                "intensity measures are ranked, spectral accelerations at these periods (0.02 to 4 "
+                "s) among them"}},
       .needs = {needs_fragility,
                 {"another intensity.measure than \"ppa_g\", whose factor on a record depends on "
                  "the roof",

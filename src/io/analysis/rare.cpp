@@ -38,8 +38,7 @@ AnalysisInFiles RareAnalysis::in_files() {
       .read = read_rare,
       .keys = {{"thresholds_m", list_value, "required",
                 "clearances, m: small probabilities that displacement reaches each, at each level; "
-                "drawn "
-                "quantities without bounds are drawn from wider distributions, with weights; "
+                "drawn quantities without bounds are drawn from wider distributions, with weights; "
                 "stands alone"},
                {"widening", "number", fmt::format("{:g}", RareConfig{}.widening),
                 "factor on the standard normal numbers of these quantities, 1 to 10"}},

@@ -18,7 +18,7 @@
 #include "glissade/motion/suite_scaling.hpp"
 #include "glissade/sampling/friction_statistics.hpp"
 #include "project/project_keys.hpp"
-#include "study/hazard_table.hpp"
+#include "study/analysis_tables.hpp"
 #include "study/target_table.hpp"
 #include "toml/toml_table.hpp"
 
@@ -387,17 +387,16 @@ void check_project(const TomlTable& root, const Project& project) {
                     mu.mean, mu.std, mu.mean - 2.0 * mu.std, tangent, outliers_of(mu)),
         "anchor the array, or state a higher friction or a flatter roof");
   if (project.hazard)
-    check_events(
-        root.table("hazard"),
-        {HazardCurve(project.hazard->points),
-         "",
-         project.hazard->design_life_years,
-         {},
-         0.0,
-         false},
-        levels_of(project).front(),
-        "check the curve's unit: the annual rate with which S_DS, in g, is exceeded; k0 is "
-        "that of 1 g");
+    check_events(root.table("hazard"),
+                 {HazardCurve(project.hazard->points),
+                  "",
+                  project.hazard->design_life_years,
+                  {},
+                  0.0,
+                  false},
+                 levels_of(project).front(),
+                 "check the curve's unit: the annual rate with which S_DS, in g, is exceeded; k0 "
+                 "is that of 1 g");
 }
 
 }  // namespace

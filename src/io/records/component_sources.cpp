@@ -62,8 +62,7 @@ std::vector<std::string> source_contradictions(const TimedRecord& first,
              other_deg = other ? azimuth_deg(*other) : std::nullopt;
   if (one_deg && other_deg && !are_perpendicular(*one_deg, *other_deg))
     found.push_back(
-        fmt::format("horizontal components of {:g} and {:g} degrees, which are not "
-                    "perpendicular",
+        fmt::format("horizontal components of {:g} and {:g} degrees, which are not perpendicular",
                     *one_deg, *other_deg));
   return found;
 }

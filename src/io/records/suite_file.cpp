@@ -81,8 +81,7 @@ class RecordedSuiteReader {
     document.add({suite_file_.string(),
                   fmt::format("{} record file(s) not found{}", missing_.size(), folders),
                   "set GLISSADE_RECORDS to the folders that hold them, separated by colons: "
-                  "recorded motions are "
-                  "licensed by their sources and do not come with glissade",
+                  "recorded motions are licensed by their sources and do not come with glissade",
                   list});
   }
 

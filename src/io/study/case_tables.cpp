@@ -25,10 +25,9 @@ void check_strength(const TomlTable& table, const StudyConfig& study) {
       r.drawn ? support(*r.drawn).min < 1.0
               : std::ranges::any_of(r.values, [](double x) { return x > 0.0 && x < 1.0; });
   if (below_one) {
-    table.report("response_modification",
-                 "building.response_modification has values between 0 and 1",
-                 "it divides the elastic demand: give 1 or more, or 0 for a building that stays "
-                 "elastic");
+    table.report(
+        "response_modification", "building.response_modification has values between 0 and 1",
+        "it divides the elastic demand: give 1 or more, or 0 for a building that stays elastic");
   }
   if (!r.is_always(0.0) && !coefficient.is_always(0.0)) {
     table.report("yield_coefficient",

@@ -47,19 +47,16 @@ void add_head(std::vector<GrammarKey>& keys) {
        {"intensity", "scaled_to_s", "number", fmt::format("{:g}", usual.intensity.scaled_to_s),
         "sds_g: the suite's average is 0.9 of the design spectrum or more from 2 s to here too, s"},
        {"intensity", "sa_period_s", "number", "required with sa_g",
-        "period of the spectral "
-        "acceleration, s"},
+        "period of the spectral acceleration, s"},
        {"intensity", "avg_sa_periods_s", list_value, "required with avg_sa_g",
         "periods of the average spectral acceleration, s"},
        {"intensity", "target",
         "{ edition, ss_g, s1_g, site_class or site_classes, tl_s }, { edition, sds_g, sd1_g, tl_s "
-        "} or "
-        "{ edition, spectrum }",
+        "} or { edition, spectrum }",
         "that of the suite",
         "the design spectrum: shape for sds_g, demand for building.response_modification; "
         "site_class is a letter or \"default\"; spectrum is a CSV file with the columns period_s "
-        "and "
-        "design_sa_g or mce_sa_g"},
+        "and design_sa_g or mce_sa_g"},
        {"model", "axes", "1 or 2", usual.two_axes() ? "2" : "1",
         "along how many horizontal axes the array may slide; along one it slides less than under "
         "both components"},
@@ -116,13 +113,11 @@ void add_cases(std::vector<GrammarKey>& keys) {
         "\"all_permutations\" with [chart] or [clearance]; else \"random\" where the study draws "
         "samples or has [fragility]",
         "directions of the horizontal components relative to the building: drawn for each sample; "
-        "either "
-        "component along the first axis with either sign, the other with either sign; every 22.5 "
-        "degrees; as recorded"},
+        "either component along the first axis with either sign, the other with either sign; every "
+        "22.5 degrees; as recorded"},
        {"orientation", "slope_axis", one_of(slope_axis_names()) + ", or a list",
         quoted(slope_axis_names(), usual.orientation.slope_axis.front()),
-        "the array's axis along the slope; friction.mu is along E-W, across_mu along "
-        "N-S"},
+        "the array's axis along the slope; friction.mu is along E-W, across_mu along N-S"},
        {"orientation", "component", "\"first\", \"second\", \"random\"", "\"random\"",
         "which component acts along the first axis"},
        {"orientation", "sign", "\"positive\", \"negative\", \"random\"", "\"random\"", "its sign"},

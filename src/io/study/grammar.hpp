@@ -42,10 +42,9 @@ const std::vector<GrammarKey>& grammar();
 bool has_key(const std::vector<GrammarKey>& keys, const std::string& name);
 
 /// What may be given for several numbers, and for a quantity of a case.
-inline constexpr const char *list_value = "list or { from, to, count, spacing }",
-                            *quantity_value =
-                                "number, list, { from, to, count, spacing }, { mean, std } or a "
-                                "distribution";
+inline constexpr const char
+    *list_value = "list or { from, to, count, spacing }",
+    *quantity_value = "number, list, { from, to, count, spacing }, { mean, std } or a distribution";
 
 /// A key that has no effect without something else, which `are_met` looks for.
 struct KeyNeeds {

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "study/hazard_table.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
 
 #include "glissade/motion/design_spectrum.hpp"
+#include "study/analysis_tables.hpp"
 #include "text/csv_rows.hpp"
 #include "toml/number_list.hpp"
 
@@ -47,10 +46,9 @@ std::optional<HazardConfig> read_hazard(const TomlTable& table, const std::strin
   std::optional<HazardCurve> curve;
   std::string source;
   if (by_file == by_law)
-    table.report(
-        by_file ? "curve" : "", "[hazard] needs one hazard curve",
-        "give curve = \"FILE.csv\", or k0 and k of the annual rate k0 x^-k, or sds_g and k "
-        "of one that meets the risk target of ASCE 7");
+    table.report(by_file ? "curve" : "", "[hazard] needs one hazard curve",
+                 "give curve = \"FILE.csv\", or k0 and k of the annual rate k0 x^-k, or sds_g and "
+                 "k of one that meets the risk target of ASCE 7");
   if (by_file) {
     curve = read_curve(table, measure, folder);
     source = table.text("curve").value_or("");
@@ -82,12 +80,11 @@ void check_events(const TomlTable& table, const HazardConfig& hazard, double low
   constexpr double most_events = 1000.0;
   const double events = hazard.design_life_years * hazard.curve.annual_rate(lowest);
   if (events > most_events)
-    table.report(
-        table.has("k0") ? "k0" : "curve",
-        fmt::format("the hazard curve has {:.4g} earthquakes above the lowest level, {:g}, "
-                    "in the design life; at most {:g} can be followed",
-                    events, lowest, most_events),
-        remedy);
+    table.report(table.has("k0") ? "k0" : "curve",
+                 fmt::format("the hazard curve has {:.4g} earthquakes above the lowest level, "
+                             "{:g}, in the design life; at most {:g} can be followed",
+                             events, lowest, most_events),
+                 remedy);
 }
 
 }  // namespace glissade

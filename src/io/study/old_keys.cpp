@@ -6,10 +6,9 @@ namespace {
 
 /// The keys of [clearance_study], which had a study of its own.
 void add_clearance_study(std::vector<RenamedKey>& keys) {
-  keys.push_back(
-      {"clearance_study",
-       "give [clearance] orientation = \"median\" and factor, and move its keys as stated at each; "
-       "[base_shear] gives the base shears"});
+  keys.push_back({"clearance_study",
+                  "give [clearance] orientation = \"median\" and factor, and move its keys as "
+                  "stated at each; [base_shear] gives the base shears"});
   const auto moved = [&](const char* old, const std::string& now, const char* but = "") {
     keys.push_back({std::string("clearance_study.") + old, "it is " + now + " now" + but});
   };
@@ -37,8 +36,7 @@ void add_clearance_study(std::vector<RenamedKey>& keys) {
 constexpr const char* recorded_only =
     "a chart takes all orientations where [orientation] is absent. For the first component alone "
     "give orientation.choice = \"as_recorded\" in its place; with roof.slope_deg of both signs, "
-    "for "
-    "example { from = -7, to = 7, count = 29 }, both signs of the component are run";
+    "for example { from = -7, to = 7, count = 29 }, both signs of the component are run";
 
 }  // namespace
 
@@ -47,8 +45,7 @@ std::vector<RenamedKey> renamed_keys() {
   const char* across = "write friction.across_mu = { mean = ..., std = ... }";
   const char* thresholds = "it is in [fragility] now";
   const char* both =
-      "leave it out: a [chart] takes every orientation, orientation.choice = "
-      "\"all_permutations\"";
+      "leave it out: a [chart] takes every orientation, orientation.choice = \"all_permutations\"";
   const char* tipping = "[array] is [tipping] for this key now";
   std::vector<RenamedKey> keys = {
       {"friction.mean", moments},
@@ -86,8 +83,7 @@ std::vector<ChangedKey> changed_keys() {
            "give orientation.slope_axis = [\"e_w\", \"n_s\"]: absent is \"e_w\" now"},
           {"clearance_study.fraction_of_mce", Where::absent, "clearance_study", "",
            "was 2/3 where absent",
-           "give intensity.levels = [0.6666666666666666] and intensity.measure = "
-           "\"mce_fraction\""},
+           "give intensity.levels = [0.6666666666666666] and intensity.measure = \"mce_fraction\""},
           {"orientation.component", Where::given, "chart", "", "has no effect in a chart now",
            recorded_only},
           {"orientation.sign", Where::given, "chart", "", "has no effect in a chart now",

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "glissade/core/not_finite.hpp"
+#include "glissade/core/finite.hpp"
 #include "glissade/core/units.hpp"
 #include "text/scan.hpp"
 #include "toml/number_list.hpp"

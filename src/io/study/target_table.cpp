@@ -69,11 +69,10 @@ void read_spectrum(const TomlTable& table, const std::filesystem::path& folder,
     return;
   }
   if (target.period_s.front() > 0.01 || target.period_s.back() < 5.0)
-    table.report(
-        "spectrum",
-        "the spectrum does not cover the periods from 0.01 s to 5 s, over which a suite is "
-        "scaled and S_DS is read",
-        "give the spectrum from 0.01 s or less to 5 s or more");
+    table.report("spectrum",
+                 "the spectrum does not cover the periods from 0.01 s to 5 s, over which a suite "
+                 "is scaled and S_DS is read",
+                 "give the spectrum from 0.01 s or less to 5 s or more");
 }
 
 /// Maps give them in percent of g.
@@ -96,8 +95,7 @@ void check_one_form(const TomlTable& table, bool mapped_beside_spectrum) {
     if (given != nullptr)
       table.report(key,
                    table.name_of(given) + " and " + table.name_of(key) +
-                       " are both given: one "
-                       "would have no effect",
+                       " are both given: one would have no effect",
                    "leave one of them out");
     given = given == nullptr ? key : given;
   }

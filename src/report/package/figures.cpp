@@ -102,11 +102,9 @@ Figure exceedance_figure(const CalculationPackage& package) {
                              counts_of(package.probability), mu.mean, mu.std);
   figure.caption = fmt::format(
       "The building period is that of the largest probability at {}. Line: lognormal curve, fitted "
-      "to the lowest intensity at which each history reaches the "
-      "displacement. Points: share of the histories that exceed it at a level. Shaded: 95 % "
-      "interval from the variance between records. DBE is S_DS = {:.3f} g, MCE {:.3f} g; the "
-      "levels "
-      "end at {:.3g} g.",
+      "to the lowest intensity at which each history reaches the displacement. Points: share of "
+      "the histories that exceed it at a level. Shaded: 95 % interval from the variance between "
+      "records. DBE is S_DS = {:.3f} g, MCE {:.3f} g; the levels end at {:.3g} g.",
       at_dbe ? "DBE" : "MCE", design.site.sds_g, design.site.sms_g(),
       package.probability.levels.back());
   Panel& panel = figure.panels.front();

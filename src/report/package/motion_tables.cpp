@@ -101,8 +101,7 @@ Table scaled_motions_table(const CalculationPackage& package) {
       "% to 95 % of the Arias intensity of both together. The factor to DBE "
       "contains the scale of the suite" +
       (same_scale ? fmt::format(", {:.3g} for every record,", records.front().suite_scale) : "") +
-      " and is on all components. Displacement: in the governing "
-      "case at DBE, the largest of the "
+      " and is on all components. Displacement: in the governing case at DBE, the largest of the "
       "orientations.");
   return same_scale ? table.without("suite_scale") : table;
 }

@@ -89,13 +89,12 @@ Html result_html(const CalculationPackage& package) {
       fmt::format("Governing displacement: {}, rounded up to {}.",
                   length_in_both(design.governing_m), length_in_both(design.rounded_m)),
       verdict_sentence(package), fmt::format("It is given by {}.", governed_by(package)),
-      fmt::format(
-          "Analysis: {:g} x the largest {} displacement over {} building periods and all "
-          "orientations of the records at DBE = {} (period {:.3g} s). With the median of the "
-          "orientations in place of the largest it would be {}.",
-          design.factor, design.of_largest ? "single" : "mean", design.demand.size(),
-          length_in_both(design.analysis_m), design.period_s,
-          length_in_both(design.median_analysis_m))};
+      fmt::format("Analysis: {:g} x the largest {} displacement over {} building periods and all "
+                  "orientations of the records at DBE = {} (period {:.3g} s). With the median of "
+                  "the orientations in place of the largest it would be {}.",
+                  design.factor, design.of_largest ? "single" : "mean", design.demand.size(),
+                  length_in_both(design.analysis_m), design.period_s,
+                  length_in_both(design.median_analysis_m))};
   const PrescribedValue& standard = of_standard(package.project, design);
   answers.push_back(
       fmt::format("The full value that {} prescribes is {}: {}.", standard_name(standard.standard),
@@ -149,17 +148,15 @@ Html motions_html(const CalculationPackage& package, const std::vector<DrawnFigu
                 least_over_target_beyond, to_s)
           : "";
   return section_heading(2) + page_table(site_table(package)) +
-         paragraph(fmt::format(
-             "Suite: {}: {}. The suite, with its own scales, is multiplied by one factor, so that "
-             "its average SRSS spectrum is not below the design spectrum at the periods of the "
-             "scaling "
-             "rule, 0 to 2 s (Walters et al. 2012){}. Between these periods it is from {:.3f} "
-             "times "
-             "(at {:.3g} s) to {:.3f} times (at {:.3g} s) the design spectrum. MCE is 1.5 times "
-             "DBE.",
-             package.demand.suites.front().name, package.demand.suites.front().description, beyond,
-             ratios.lowest.ratio, ratios.lowest.period_s, ratios.highest.ratio,
-             ratios.highest.period_s)) +
+         paragraph(
+             fmt::format("Suite: {}: {}. The suite, with its own scales, is multiplied by one "
+                         "factor, so that its average SRSS spectrum is not below the design "
+                         "spectrum at the periods of the scaling rule, 0 to 2 s (Walters et al. "
+                         "2012){}. Between these periods it is from {:.3f} times (at {:.3g} s) to "
+                         "{:.3f} times (at {:.3g} s) the design spectrum. MCE is 1.5 times DBE.",
+                         package.demand.suites.front().name,
+                         package.demand.suites.front().description, beyond, ratios.lowest.ratio,
+                         ratios.lowest.period_s, ratios.highest.ratio, ratios.highest.period_s)) +
          page_table(motions_table(package)) + page_table(scaled_motions_table(package)) +
          page_table(record_spectra_table(package)) + figure_html(figures.front(), 1);
 }
@@ -201,8 +198,7 @@ Html model_html() {
                "considerations and evaluation approach for \"isolated\" rooftop PV arrays. SEAOC "
                "Convention Proceedings.",
                "Rodriguez-Nikl, T., et al. (2019). Predicted slip of ballasted solar arrays on "
-               "angled "
-               "roofs due to seismic motion.",
+               "angled roofs due to seismic motion.",
                "ASCE/SEI 7-16 (2017). Minimum design loads and associated criteria for buildings "
                "and other structures.",
                "SEAOC PV1-2012. Structural seismic requirements and commentary for rooftop solar "
@@ -259,8 +255,7 @@ Html hazard_html(const CalculationPackage& package) {
   };
   return paragraph(
              "Annual rates: the mean of the hazard curve over the capacities of the histories. "
-             "Over "
-             "the design life earthquakes are a Poisson process with the rates of the hazard "
+             "Over the design life earthquakes are a Poisson process with the rates of the hazard "
              "curve; residual displacements add up as vectors, and the array is not returned to "
              "its initial position.") +
          page_table(of_periods(

@@ -21,10 +21,10 @@ std::string inputs_lines(const CalculationPackage& package) {
   const Project& p = package.project;
   const SiteValues& site = package.design.site;
   const SpectralRatios& ratios = package.demand.suites.front().spectra.to_target;
-  return line("Site", fmt::format("S_MS {:.3f} g, S_M1 {:.3f} g, S_DS {:.3f} g, S_D1 {:.3f} g, "
-                                  "category {}",
-                                  site.sms_g(), site.sm1_g(), site.sds_g, site.sd1_g,
-                                  category_text(p.site, site))) +
+  return line("Site",
+              fmt::format("S_MS {:.3f} g, S_M1 {:.3f} g, S_DS {:.3f} g, S_D1 {:.3f} g, category {}",
+                          site.sms_g(), site.sm1_g(), site.sds_g, site.sd1_g,
+                          category_text(p.site, site))) +
          line("Building",
               fmt::format("period {}, mass ratio {}", range_text(p.building.period_s, " s"),
                           range_text(p.building.mass_ratio, ""))) +

@@ -317,8 +317,7 @@ Table prescribed_table(const CalculationPackage& package) {
   }
   table.notes.push_back(
       "(recalled): from memory of the standard. Verify against the standard: it may have "
-      "conditions "
-      "that are not listed here.");
+      "conditions that are not listed here.");
   return table;
 }
 
@@ -357,8 +356,7 @@ Table separations_table(const CalculationPackage& package) {
     table.notes.push_back("Reservation: " + reservation + ".");
   table.notes.push_back(
       "A qualifying parapet rises 6 in (0.15 m) or more above the centre of mass of the array and "
-      "24 "
-      "in (0.61 m) or more above the roof (ASCE 7-16, 13.6.12, recalled: verify).");
+      "24 in (0.61 m) or more above the roof (ASCE 7-16, 13.6.12, recalled: verify).");
   return in_inches() ? table : table.without("required_ft");
 }
 
@@ -401,14 +399,12 @@ Table exceedance_table(const CalculationPackage& package) {
   for (std::size_t p = 0; p < periods; ++p)
     table.add({fmt::format("{:.3g} s", dbe_then_mce[p].period_s), share_text(dbe_then_mce[p]),
                share_text(dbe_then_mce[periods + p])});
-  table.notes.push_back(
-      fmt::format("The probability is the observed share of the histories, without a fitted curve. "
-                  "Friction and mass ratio are drawn within the project's ranges, and the "
-                  "orientation; the slope "
-                  "is the steepest: {} samples for each of {} records. The interval is from "
-                  "resampling whole records; it is never "
-                  "narrower than that of a binomial with one trial for each record.",
-                  package.probability.cases.samples, package.probability.records.size()));
+  table.notes.push_back(fmt::format(
+      "The probability is the observed share of the histories, without a fitted curve. Friction "
+      "and mass ratio are drawn within the project's ranges, and the orientation; the slope is the "
+      "steepest: {} samples for each of {} records. The interval is from resampling whole records; "
+      "it is never narrower than that of a binomial with one trial for each record.",
+      package.probability.cases.samples, package.probability.records.size()));
   return table;
 }
 
@@ -454,9 +450,8 @@ Table compared_table(const CalculationPackage& package) {
   }
   table.notes.push_back(
       "A clearance allows the displacement clearance / factor (ASCE 7-16, 13.6.12); between "
-      "similar "
-      "arrays only where both slide alike. Each number is that of the building period where it is "
-      "largest. " +
+      "similar arrays only where both slide alike. Each number is that of the building period "
+      "where it is largest. " +
       accepted_sentence(design) + ".");
   return table;
 }

@@ -121,10 +121,10 @@ std::string html_report(const Results& results, const std::vector<DrawnFigure>& 
       warnings_html(results) + answer_html(answers) + paragraph(what_was_run(results)) +
       figures_html(figures) + rest_html(answers) + analyses_html(results) +
       assumptions_html(results) + skips_and_notes_html(results, skips) + inputs_html(results) +
-      paragraph(fmt::format("Made by glissade {}; plan {}, seed {}. The same study, suite and seed "
-                            "give the same numbers. Tables "
-                            "with all digits are in tables/, figures as PDF and SVG in figures/.",
-                            results.program_version, results.plan_hash, results.seed)) +
+      paragraph(fmt::format(
+          "Made by glissade {}; plan {}, seed {}. The same study, suite and seed give the same "
+          "numbers. Tables with all digits are in tables/, figures as PDF and SVG in figures/.",
+          results.program_version, results.plan_hash, results.seed)) +
       page_foot();
   return page.str();
 }

@@ -72,11 +72,10 @@ void run(const std::filesystem::path& folder, const std::string& script) {
       ::posix_spawnp(&child, program.c_str(), &actions, nullptr, arguments.data(), environ);
   posix_spawn_file_actions_destroy(&actions);
   if (spawn_error == ENOENT) {
-    throw InputError(
-        {"gnuplot", "the program is not found, and the figures are drawn with it",
-         "install it (Debian: apt install gnuplot-nox) or add its folder to PATH; then make "
-         "the report from the results file",
-         ""});
+    throw InputError({"gnuplot", "the program is not found, and the figures are drawn with it",
+                      "install it (Debian: apt install gnuplot-nox) or add its folder to PATH; "
+                      "then make the report from the results file",
+                      ""});
   }
   if (spawn_error != 0) throw_failed(folder, script, std::generic_category().message(spawn_error));
 

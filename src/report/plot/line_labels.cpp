@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "plot/line_labels.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <optional>
 
 #include "glissade/core/wrap.hpp"
+#include "plot/labels.hpp"
 
 namespace glissade {
 namespace {

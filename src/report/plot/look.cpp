@@ -163,7 +163,7 @@ void add_side_labels(Panel& panel, std::vector<Note> labels, const LabelMargin& 
   if (panel.x.ticks.empty()) {  // none in the margin
     const double step = round_step(width, 6.0);
     const double first = std::ceil(panel.x.low / step - 1e-6);
-    constexpr int most_ticks = 20;  // of 10; numbers that a double cannot tell apart have no end
+    constexpr int most_ticks = 20;  // of 10; equal doubles would repeat without end
     for (int i = 0; i < most_ticks && (first + i) * step <= panel.x.high + 1e-6 * step; ++i)
       panel.x.ticks.push_back(
           {(first + i) * step, fmt::format("{:.6g}", (first + i) * step + 0.0)});

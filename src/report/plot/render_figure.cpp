@@ -4,8 +4,8 @@
 #include "glissade/core/error.hpp"
 #include "glissade/core/file.hpp"
 #include "glissade/report/figure.hpp"
+#include "plot/labels.hpp"
 #include "plot/script.hpp"
-#include "plot/tooltips.hpp"
 
 namespace glissade {
 namespace {

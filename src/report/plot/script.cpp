@@ -7,7 +7,7 @@
 
 #include "glissade/core/wrap.hpp"
 #include "glissade/report/format.hpp"
-#include "plot/line_labels.hpp"
+#include "plot/labels.hpp"
 
 namespace glissade::gnuplot {
 namespace {

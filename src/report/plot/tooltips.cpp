@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "plot/tooltips.hpp"
-
 #include <algorithm>
 #include <charconv>
 #include <cmath>
@@ -9,6 +7,7 @@
 
 #include "glissade/report/format.hpp"
 #include "glissade/report/html_text.hpp"
+#include "plot/labels.hpp"
 #include "plot/script.hpp"
 
 namespace glissade {

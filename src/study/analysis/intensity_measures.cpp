@@ -7,7 +7,7 @@
 #include <cmath>
 #include <functional>
 
-#include "glissade/core/not_finite.hpp"
+#include "glissade/core/finite.hpp"
 #include "glissade/fragility/record_regression.hpp"
 #include "glissade/study/results.hpp"
 

@@ -7,7 +7,7 @@
 #include <numeric>
 #include <utility>
 
-#include "glissade/core/not_finite.hpp"
+#include "glissade/core/finite.hpp"
 #include "glissade/core/quantile.hpp"
 #include "glissade/fragility/share.hpp"
 

@@ -39,13 +39,13 @@ TippingResults TippingAnalysis::find(const StudyConfig& study, const Results& re
 void TippingAnalysis::check(const StudyConfig& study, std::size_t, ProblemList& problems) {
   const KernelChoice choice = cheapest_exact_kernel(study);
   if (choice.kernel != Kernel::tables && study.tipping) {
-    problems.add({study.file.string(),
-                  "the tipping check of [tipping] holds where the array does not move its "
-                  "building: " +
-                      choice.reason,
-                  "leave out [tipping], or set [model] axes = 1 with an elastic building that is "
-                  "not coupled",
-                  ""});
+    problems.add(
+        {study.file.string(),
+         "the tipping check of [tipping] holds where the array does not move its building: " +
+             choice.reason,
+         "leave out [tipping], or set [model] axes = 1 with an elastic building that is "
+         "not coupled",
+         ""});
   }
 }
 

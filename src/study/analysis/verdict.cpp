@@ -217,13 +217,12 @@ std::vector<std::string> VerdictAnalysis::notes(const Results& results, const St
         return c.response_modification > 0.0;
       }))
     return {};
-  return {
-      results.model.dbe_level > 0.0
-          ? fmt::format("Verdict: R gives a building the strength for the design target, {:.3g} "
-                        "g; buildings with R are judged at that S_DS alone",
-                        results.model.dbe_level)
-          : "Verdict: buildings with R are not judged, since there is no single design target "
-            "whose S_DS gives their strength"};
+  return {results.model.dbe_level > 0.0
+              ? fmt::format("Verdict: R gives a building the strength for the design target, "
+                            "{:.3g} g; buildings with R are judged at that S_DS alone",
+                            results.model.dbe_level)
+              : "Verdict: buildings with R are not judged, since there is no single design target "
+                "whose S_DS gives their strength"};
 }
 
 }  // namespace glissade

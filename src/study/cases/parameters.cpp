@@ -3,7 +3,7 @@
 #include <cstring>
 
 #include "glissade/core/contract.hpp"
-#include "glissade/core/not_finite.hpp"
+#include "glissade/core/finite.hpp"
 #include "glissade/study/cases/case.hpp"
 
 namespace glissade {
@@ -58,15 +58,15 @@ const std::array parameter_rows = {
               "period along the building's second axis over that along its first",
               [](Case& c) -> double& { return c.period_ratio; },
               Parameter::Axes::two},
-    Parameter{"vertical",
-              "period_s",
-              "vertical period",
-              "s",
-              {0.0, infinity, "0 or more"},
-              14,
-              "period of the roof's vertical oscillator; 0: the roof moves vertically with the "
-              "ground",
-              [](Case& c) -> double& { return c.vertical_period_s; }},
+    Parameter{
+        "vertical",
+        "period_s",
+        "vertical period",
+        "s",
+        {0.0, infinity, "0 or more"},
+        14,
+        "period of the roof's vertical oscillator; 0: the roof moves vertically with the ground",
+        [](Case& c) -> double& { return c.vertical_period_s; }},
     Parameter{"vertical", "damping", "vertical damping", "-", damping_ratio, 15,
               "damping ratio of that oscillator",
               [](Case& c) -> double& { return c.vertical_damping; }},
@@ -133,16 +133,16 @@ const std::array parameter_rows = {
               "coefficient of friction along the slope of a second, similar array on the roof, "
               "below or beside the first (or as roof.neighbour_slope states); 0: there is none",
               [](Case& c) -> double& { return c.neighbour_friction; }, Parameter::Axes::two},
-    Parameter{"friction",
-              "neighbour_over_mu",
-              "friction of the neighbour over mu",
-              "-",
-              {0.0, 10.0, "0 to 10"},
-              20,
-              "the same over mu, for friction that is listed, in place of neighbour_mu; 0: not so "
-              "stated",
-              [](Case& c) -> double& { return c.neighbour_over_mu; },
-              Parameter::Axes::two},
+    Parameter{
+        "friction",
+        "neighbour_over_mu",
+        "friction of the neighbour over mu",
+        "-",
+        {0.0, 10.0, "0 to 10"},
+        20,
+        "the same over mu, for friction that is listed, in place of neighbour_mu; 0: not so stated",
+        [](Case& c) -> double& { return c.neighbour_over_mu; },
+        Parameter::Axes::two},
 };
 
 }  // namespace

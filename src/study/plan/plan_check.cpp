@@ -35,14 +35,14 @@ void check_model(const StudyConfig& config, const std::vector<Suite>& suites,
   const bool by_sds = config.intensity.measure == IntensityMeasure::sds_g;
   for (std::size_t i = 0; i < suites.size(); ++i) {
     if (suites[i].target || !(by_r || by_sds)) continue;
-    problems.add({config.suite_files[i].string(),
-                  by_sds ? "has no [target], and measure = \"sds_g\" needs the shape of a design "
-                           "spectrum"
-                         : "has no [target], and building.response_modification divides the "
-                           "elastic demand of a design spectrum",
-                  "give the suite a [target], or add target = { edition = \"asce7_16\", ss_g = "
-                  "..., s1_g = ..., site_class = \"D\" } to [intensity]",
-                  ""});
+    problems.add(
+        {config.suite_files[i].string(),
+         by_sds ? "has no [target], and measure = \"sds_g\" needs the shape of a design spectrum"
+                : "has no [target], and building.response_modification divides the "
+                  "elastic demand of a design spectrum",
+         "give the suite a [target], or add target = { edition = \"asce7_16\", ss_g = "
+         "..., s1_g = ..., site_class = \"D\" } to [intensity]",
+         ""});
   }
 }
 
@@ -62,11 +62,11 @@ void check_motion(const StudyConfig& config, const Motion& motion, const std::st
     problems.add({where, "record " + motion.id + " has no second horizontal component",
                   "set component = \"first\" or \"random\" in [orientation]", ""});
   } else if (config.orientation.choice == OrientationChoice::azimuths && !has_second) {
-    problems.add({where,
-                  "record " + motion.id +
-                      " has no second horizontal component to turn ([orientation] choice = "
-                      "\"azimuths\")",
-                  "leave the record out, or set choice = \"all_permutations\"", ""});
+    problems.add(
+        {where,
+         "record " + motion.id +
+             " has no second horizontal component to turn ([orientation] choice = \"azimuths\")",
+         "leave the record out, or set choice = \"all_permutations\"", ""});
   }
   if (uses(VerticalChoice::required) && motion.vertical_mps2.empty()) {
     problems.add({where,
@@ -161,10 +161,9 @@ std::optional<MissedTarget> missed_target(const Plan& plan, std::size_t suite) {
     const SpectralRatio lowest = ratios_to_target(plan.suites[suite], factors, mce_g).lowest;
     if (lowest.ratio < least_over_target)
       return MissedTarget{
-          fmt::format(
-              "the suite's average SRSS spectrum is {:.3g} times its MCE target at {:.3g} s; "
-              "from 0 to 2 s it must be {:g} times or more",
-              lowest.ratio, lowest.period_s, least_over_target),
+          fmt::format("the suite's average SRSS spectrum is {:.3g} times its MCE target at {:.3g} "
+                      "s; from 0 to 2 s it must be {:g} times or more",
+                      lowest.ratio, lowest.period_s, least_over_target),
           fmt::format("multiply the suite's scales by {:.4g}, measure by sds_g, which scales it",
                       1.0 / lowest.ratio)};
   }

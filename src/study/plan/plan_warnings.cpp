@@ -84,10 +84,9 @@ Warnings improbable_buildings(const Plan& plan) {
     warnings.push_back(
         fmt::format("a building period of {:g} s is longer than that of any building", longest_s));
   if (damping > most_damping)
-    warnings.push_back(
-        fmt::format("a damping ratio of {:g} is above {:g}: no building has it without dampers "
-                    "(recalled)",
-                    damping, most_damping));
+    warnings.push_back(fmt::format(
+        "a damping ratio of {:g} is above {:g}: no building has it without dampers (recalled)",
+        damping, most_damping));
   return warnings;
 }
 
@@ -162,10 +161,9 @@ Warnings nearest_records(const Plan& plan) {
   for (const Suite& suite : plan.suites) {
     if (suite.nearest_to_target)
       warnings.push_back(fmt::format(
-          "the records of the suite {} were selected as the nearest to a target spectrum: "
-          "they scatter less than recorded motions, so that small "
-          "probabilities are too small, and the log standard deviation and all intervals too "
-          "narrow",
+          "the records of the suite {} were selected as the nearest to a target spectrum: they "
+          "scatter less than recorded motions, so that small probabilities are too small, and the "
+          "log standard deviation and all intervals too narrow",
           suite.name));
   }
   return warnings;

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <functional>
 
+#include "glissade/core/finite.hpp"
 #include "glissade/core/not_converged.hpp"
-#include "glissade/core/not_finite.hpp"
 #include "run/histories.hpp"
 
 namespace glissade {

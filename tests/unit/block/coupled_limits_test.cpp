@@ -56,7 +56,7 @@ TEST(coupled_limits, a_vanishing_mass_gives_the_uncoupled_slip) {
   EXPECT_EQ(little.slip.slip_phases, none.slip.slip_phases);
 }
 
-TEST(coupled_limits, a_rigid_building_does_not_feel_the_array) {
+TEST(coupled_limits, a_rigid_building_is_not_affected_by_the_array) {
   for (const double slope_rad : {0.0, 0.05, -0.05, 0.3}) {
     for (const double vertical_factor : {0.0, 1.0, 6.0}) {
       const Block b{.friction = 0.2, .slope_rad = slope_rad};
@@ -78,7 +78,7 @@ TEST(coupled_limits, a_rigid_building_does_not_feel_the_array) {
 }
 
 // An array that never moves makes the building heavier by 1 + r and longer in period by its root.
-TEST(coupled_limits, a_held_array_is_an_anchored_one) {
+TEST(coupled_limits, an_array_that_does_not_slide_is_an_anchored_one) {
   const double r = 0.25, root = std::sqrt(1.0 + r);
   const Block sticking{.friction = 10.0, .slope_rad = 0.05};
   const CoupledResult stuck = slide_coupled(ground, {}, {{0.5, 0.05}, r}, sticking);

@@ -244,7 +244,7 @@ TEST(slide_on_building, rests_at_critical_friction_and_slides_freely_beyond) {
   }
 }
 
-TEST(slide_on_building, without_friction_the_building_does_not_feel_a_block_on_a_flat_roof) {
+TEST(slide_on_building, without_friction_the_building_is_not_affected_by_a_block_on_a_flat_roof) {
   OnBuilding scene;
   scene.second.clear();
   scene.block = {};

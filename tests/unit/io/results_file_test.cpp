@@ -219,7 +219,8 @@ TEST(results_file, holds_study_files_of_any_length) {
   EXPECT_EQ(read_results(folder.path() / "a.h5").study_text, results.study_text);
 }
 
-// What a user reads of a file that is not whole, to tell a cut one from one with other bytes.
+// What a user reads of a file that is not whole, to distinguish a cut one from one with other
+// bytes.
 constexpr auto no_checksum = "does not end with a checksum", damaged = "is damaged";
 
 TEST(results_file, cut_damaged_and_foreign_files_are_refused) {

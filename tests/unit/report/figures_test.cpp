@@ -14,7 +14,7 @@
 #include "glissade/core/file.hpp"
 #include "glissade/report/format.hpp"
 #include "made_up_results.hpp"
-#include "plot/line_labels.hpp"
+#include "plot/labels.hpp"
 
 namespace glissade {
 namespace {

@@ -131,7 +131,7 @@ TEST(pull_test, with_a_friction_that_cannot_be_is_refused) {
   EXPECT_THAT(refusal(pushed), states("-0.52"));
 }
 
-TEST(sliding_rule, is_held_to_its_order) {
+TEST(sliding_rule, has_positive_displacements_in_order) {
   EXPECT_NO_THROW(validate(SlidingRule{}));
   EXPECT_NO_THROW(validate(SlidingRule{0.01, 0.01}));
   EXPECT_THROW(validate(SlidingRule{0.0, 0.01}), InputError);

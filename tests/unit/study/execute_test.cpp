@@ -7,8 +7,8 @@
 
 #include "glissade/block/slide.hpp"
 #include "glissade/building/roof_motion.hpp"
+#include "glissade/core/finite.hpp"
 #include "glissade/core/not_converged.hpp"
-#include "glissade/core/not_finite.hpp"
 #include "run/histories.hpp"
 #include "unit/study/small_study.hpp"
 

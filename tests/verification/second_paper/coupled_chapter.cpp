@@ -75,7 +75,7 @@ Case rigid_building(const std::vector<CoupledScene>& scenes) {
 
 /// An array that never moves makes the building heavier by 1 + r and its period longer by the root
 /// of that.
-Case held_array() {
+Case sticking_array() {
   const MadeUpGround ground;
   double worst = 0.0;
   for (const double r : {0.05, 0.1, 0.25, 0.5}) {
@@ -203,7 +203,7 @@ an array that never slides the known limits must result; between these limits ar
 oscillator with dry friction (Den Hartog 1931), 50 digits, and the balance of energy. The steady
 states are those of sampled motions, 1,000 samples a cycle, which causes an error of up to 1e-8 of the
 driving amplitude of 0.05 m.)",
-      {without_mass(), vanishing_mass(scenes), rigid_building(scenes), held_array(),
+      {without_mass(), vanishing_mass(scenes), rigid_building(scenes), sticking_array(),
        fifty_digits()}};
   for (const std::vector<Case>& cases :
        {friction_oscillators(), std::vector<Case>{balance(scenes), batch(scenes)}})

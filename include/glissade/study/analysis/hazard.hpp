@@ -10,7 +10,6 @@
 #include "glissade/fragility/hazard.hpp"
 #include "glissade/study/analysis/analysis.hpp"
 #include "glissade/study/analysis/standards.hpp"
-#include "glissade/study/run/history_table.hpp"
 
 // How often: annual rates of displacements, and what adds up over the design life. Displacements
 // are in plan. Records are the independent unit of all intervals (95 %).

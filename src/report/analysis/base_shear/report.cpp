@@ -89,8 +89,7 @@ Table base_shear_table(const Results& results) {
   const ConditionColumns conditions(results);
   Table table{"base_shear",
               "Base shear over the building's weight without the array: the suite's mean of the "
-              "SRSS of the "
-              "peaks along both axes, over the orientations",
+              "SRSS of the peaks along both axes, over the orientations",
               conditions.columns(),
               {},
               {"[ ]: 95 % interval of the median, from resampling records"}};

@@ -78,8 +78,7 @@ std::string free_sliding_sentence(const Results& results) {
   if (free == 0) return "";
   return fmt::format(
       "At {} of the chart's {} combinations of slope and friction the array slides freely: "
-      "friction "
-      "cannot stop it (tan(slope) >= mu).",
+      "friction cannot stop it (tan(slope) >= mu).",
       free / static_cast<long>(results.levels.size()), chart.slope_deg.size() * chart.mu.size());
 }
 

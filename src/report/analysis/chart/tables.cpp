@@ -8,7 +8,7 @@
 
 #include "analysis/chart/report.hpp"
 #include "analysis/chart/view.hpp"
-#include "glissade/core/not_finite.hpp"
+#include "glissade/core/finite.hpp"
 #include "glissade/report/format.hpp"
 #include "text/study_text.hpp"
 
@@ -46,8 +46,7 @@ std::vector<std::string> reading_notes(const Results& results) {
       gravity_note};
   if (!is_one_record(results)) {
     notes.push_back(design_title(results) + ": " + clearance_rule(results) +
-                    "; p84, p95 and "
-                    "envelope (the largest " +
+                    "; p84, p95 and envelope (the largest " +
                     std::string(results.cases.samples > 1 ? "history" : "record") +
                     ") are each the largest over the building periods.");
   }

@@ -72,10 +72,10 @@ Figure period_figure(const Results& results) {
           "Displacement over the building's period at " +
               label_of(grid, level, shown_condition(grid)) + ", and the clearance",
           below_text(results, {mass, vertical}),
-          after_walters(results, 13,
-                        ". All records have the same orientation: the median over the orientations "
-                        "is drawn, and the clearance is of the mass ratio and vertical motion "
-                        "with the largest"),
+          after_walters(
+              results, 13,
+              ". All records have the same orientation: the median over the orientations is drawn, "
+              "and the clearance is of the mass ratio and vertical motion with the largest"),
           family.displacements()};
 }
 
@@ -154,10 +154,10 @@ Figure yielding_figure(const Results& results) {
   family.add_level(1.0, "elastic building", look(Role::reference));
   return {"yielding", "Effect of a yielding building on the displacement",
           below_text(results, {response_modification}),
-          after_walters(results, 15,
-                        ", over the same on a building that stays elastic. At R the building "
-                        "yields where the design spectrum requires an elastic force R times as "
-                        "large; 0 is elastic"),
+          after_walters(
+              results, 15,
+              ", over the same on a building that stays elastic. At R the building yields where "
+              "the design spectrum requires an elastic force R times as large; 0 is elastic"),
           family.ratios("Displacement over that on an elastic building")};
 }
 

@@ -175,8 +175,7 @@ std::string slope_reading(const Results& r) {
                     slope_text(r.conditions->grid.slope_deg[at[ConditionAxis::slope]])));
   }
   return fmt::format(
-      "Largest mean over the periods: {}; {} times as much on the steepest as on the "
-      "flattest.",
+      "Largest mean over the periods: {}; {} times as much on the steepest as on the flattest.",
       fmt::join(parts, ", "), format_number(steepest / flattest));
 }
 

@@ -7,7 +7,7 @@
 
 #include "analysis/conditions/columns.hpp"
 #include "analysis/conditions/view.hpp"
-#include "glissade/core/not_finite.hpp"
+#include "glissade/core/finite.hpp"
 #include "glissade/report/clearance_report.hpp"
 #include "glissade/report/format.hpp"
 #include "text/study_text.hpp"

@@ -71,16 +71,16 @@ Table clearance_periods_table(const Results& results) {
 }
 
 Table clearance_orientations_table(const Results& results) {
-  Table table{"orientations",
-              "The suite's mean displacement in each orientation of all records, by building "
-              "period; " +
-                  results.suites.front().name + ", " +
-                  conditions_text(results, shown_condition(results.conditions->grid),
-                                  {ConditionAxis::period, ConditionAxis::support}),
-              {text_column("orientation", "Orientation"),
-               {"same_as", "", "Gives the same as", ColumnKind::count}},
-              {},
-              {}};
+  Table table{
+      "orientations",
+      "The suite's mean displacement in each orientation of all records, by building period; " +
+          results.suites.front().name + ", " +
+          conditions_text(results, shown_condition(results.conditions->grid),
+                          {ConditionAxis::period, ConditionAxis::support}),
+      {text_column("orientation", "Orientation"),
+       {"same_as", "", "Gives the same as", ColumnKind::count}},
+      {},
+      {}};
   for (const double period : results.conditions->grid.period_s) {
     table.columns.push_back({fmt::format("t_{:g}s", period), "m",
                              fmt::format("T {:g} s, m (in)", period), ColumnKind::length});
@@ -108,16 +108,14 @@ Table clearance_histories_table(const Results& results) {
   const ConditionTable& table_of = *results.conditions;
   const ConditionColumns conditions(results);
   const bool shear = results.base_shear.has_value();
-  Table table{
-      "histories",
-      std::string(
-          "Every history of the required clearance, in plan, by the roof's axes: along the slope "
-          "(positive where it falls)") +
-          (slides_on_two_axes(results) ? " and across it" : "") +
-          (shear ? "; base shear over the building's weight without the array" : ""),
-      {text_column("record", "Record"), text_column("orientation", "Orientation")},
-      {},
-      {}};
+  Table table{"histories",
+              std::string("Every history of the required clearance, in plan, by the roof's axes: "
+                          "along the slope (positive where it falls)") +
+                  (slides_on_two_axes(results) ? " and across it" : "") +
+                  (shear ? "; base shear over the building's weight without the array" : ""),
+              {text_column("record", "Record"), text_column("orientation", "Orientation")},
+              {},
+              {}};
   append(table.columns, conditions.columns());
   append(table.columns,
          {range_column("displacement", "Displacement"), range_column("vector_peak", "Vector peak"),

@@ -64,10 +64,9 @@ std::size_t different(const std::vector<Case>& cases, Value value) {
 std::string orientation_text(const Results& results) {
   const CaseSet& set = results.cases;
   const bool two_axes = slides_on_two_axes(results);
-  const std::string acts =
-      two_axes ? "Both horizontal components act at once. "
-               : "One horizontal component acts along the slope; motion across the slope is not "
-                 "combined with it. ";
+  const std::string acts = two_axes ? "Both horizontal components act at once. "
+                                    : "One horizontal component acts along the slope; motion "
+                                      "across the slope is not combined with it. ";
   if (set.orientations > 1) {
     return acts + fmt::format("Every record is run in {} orientations: {} ...", set.orientations,
                               to_string(set.cases[0].orientation));
@@ -87,24 +86,22 @@ std::string vertical_text(const std::vector<RecordSummary>& records) {
       std::count_if(records.begin(), records.end(), [](const auto& r) { return r.has_vertical; });
   return fmt::format(
       "{} of {} records have a vertical component. Where the study uses it, it changes the normal "
-      "force and with it the friction; where "
-      "the normal force would fall below zero the history is flagged as uplift, which is outside "
-      "the model.",
+      "force and with it the friction; where the normal force would fall below zero the history is "
+      "flagged as uplift, which is outside the model.",
       with, records.size());
 }
 
 /// What a reader takes from the numbers: fragilities, or a chart.
 std::vector<Assumption> reading_assumptions(const Results& results) {
   if (results.chart) {
-    return {
-        {"Chart clearance",
-         clearance_rule(results) +
-             ": a recommendation, not a bound, "
-             "as single motions give more slip. Percentiles are over records. Each is the largest "
-             "over the building periods. Of one record there is neither: its peak slip is shown."},
-        {"Interpolation",
-         "Linear in slope and friction between the chart's points; none between levels, and "
-         "nothing beyond the axes."}};
+    return {{"Chart clearance",
+             clearance_rule(results) +
+                 ": a recommendation, not a bound, as single motions give more slip. Percentiles "
+                 "are over records. Each is the largest over the building periods. Of one record "
+                 "there is neither: its peak slip is shown."},
+            {"Interpolation",
+             "Linear in slope and friction between the chart's points; none between levels, and "
+             "nothing beyond the axes."}};
   }
   return {
       {"Capacity",
@@ -112,8 +109,7 @@ std::vector<Assumption> reading_assumptions(const Results& results) {
        "grow with intensity; the share that falls below again is given as 'recross'."},
       {"Independence",
        "Records are the independent unit. Intervals are from the variance between records, so a "
-       "suite "
-       "of few records gives wide intervals however many samples there are."}};
+       "suite of few records gives wide intervals however many samples there are."}};
 }
 
 std::string roof_text(const Results& results) {
@@ -135,8 +131,7 @@ std::vector<Assumption> assumptions_of(const Results& results) {
        "that stops it."},
       {"Friction", results.model.friction.empty()
                        ? "Coulomb: one coefficient for sticking and sliding, independent of speed, "
-                         "pressure and "
-                         "wear. No bond that must first break."
+                         "pressure and wear. No bond that must first break."
                        : results.model.friction + "It does not depend on pressure or wear."},
       {"Roof", roof_text(results)},
       {"Building", building_text(results)},

@@ -66,13 +66,11 @@ std::string threshold_sentence(const Results& results, const ThresholdFragility&
         "shaking.",
         clearance);
   }
-  const std::string free =
-      fit.curve.floor > 0
-          ? fmt::format(
-                " {} of the histories slide freely: they exceed it at any intensity and are "
-                "counted.",
-                format_share(fit.curve.floor))
-          : "";
+  const std::string free = fit.curve.floor > 0 ? fmt::format(
+                                                     " {} of the histories slide freely: they "
+                                                     "exceed it at any intensity and are counted.",
+                                                     format_share(fit.curve.floor))
+                                               : "";
   return fit_sentence(results, fit, clearance) + free;
 }
 

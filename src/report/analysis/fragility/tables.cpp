@@ -7,7 +7,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "glissade/core/not_finite.hpp"
+#include "glissade/core/finite.hpp"
 #include "glissade/report/format.hpp"
 #include "text/study_text.hpp"
 
@@ -147,8 +147,7 @@ Table fragility_summary_table(const Results& results) {
       least_floor == 1.0
           ? "Every history slides freely: it exceeds at any intensity, without shaking."
           : "Some histories slide freely: they exceed at any intensity. Median and log std are "
-            "those of "
-            "the others: P = p0 + (1 - p0) Phi(ln(x / median) / log std).");
+            "those of the others: P = p0 + (1 - p0) Phi(ln(x / median) / log std).");
   return table;
 }
 

@@ -18,19 +18,19 @@ void add_row(Table& table, const std::string& direction, const char* which, cons
 }  // namespace
 
 Table pull_tests_table(const PullTestSummary& summary) {
-  Table table{"pull_tests",
-              "Each pull: force over normal force, largest before it slips and over its sliding "
-              "part",
-              {text_column("test", "Test"),
-               text_column("direction", "Direction"),
-               {"breakaway_mu", "", "Breakaway"},
-               {"sliding_mu", "", "Sliding, mean"},
-               {"sliding_std", "", "Std"},
-               {"min_mu", "", "Least"},
-               {"max_mu", "", "Largest"},
-               {"mu_by_displacement", "", "Mean over displacement"},
-               {"travel", "m", "Travel, m (in)", ColumnKind::length}},
-              {}};
+  Table table{
+      "pull_tests",
+      "Each pull: force over normal force, largest before it slips and over its sliding part",
+      {text_column("test", "Test"),
+       text_column("direction", "Direction"),
+       {"breakaway_mu", "", "Breakaway"},
+       {"sliding_mu", "", "Sliding, mean"},
+       {"sliding_std", "", "Std"},
+       {"min_mu", "", "Least"},
+       {"max_mu", "", "Largest"},
+       {"mu_by_displacement", "", "Mean over displacement"},
+       {"travel", "m", "Travel, m (in)", ColumnKind::length}},
+      {}};
   for (const TraceFriction& t : summary.tests) {
     table.add({t.test, t.direction, t.breakaway_mu, t.sliding_mu, t.sliding_std, t.min_mu, t.max_mu,
                t.mu_by_displacement, t.travel_m});

@@ -128,8 +128,7 @@ Figure life_figure(const Results& results) {
       "vectors, since the array is not returned to its initial position. Largest distance: from "
       "there, at any time. " +
           std::string(kept_over_life) +
-          " "
-          "Lines end where shaking above the highest level decides, or at one life in a thousand. "
+          " Lines end where shaking above the highest level decides, or at one life in a thousand. "
           "Numbers: tables/design_life_distribution.csv."};
   figure.panels.push_back(std::move(panel));
   figure.labels_at_lines = true;

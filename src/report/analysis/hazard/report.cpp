@@ -38,8 +38,7 @@ std::string threshold_sentence(const HazardResults& hazard, const ThresholdRate&
   if (row.beyond_share > notable_share)
     text += fmt::format(
         " {} of that rate is from histories that do not reach it at the highest level: any "
-        "stronger "
-        "shaking counts as if they did, and higher levels would show less.",
+        "stronger shaking counts as if they did, and higher levels would show less.",
         format_share(row.beyond_share));
   return text;
 }
@@ -102,16 +101,15 @@ std::vector<std::string> life_sentences(const Results& results, const HazardRun&
       "In {} the array slides more than {} in one earthquake or more with a probability of {}.",
       life_text(hazard), format_length(least.displacement_m),
       format_share(probability_in(hazard.design_life_years, least.annual_rate.value)))};
-  all.push_back(
-      far.p95_m.value == 0.0
-          ? "The 95th percentile of the slip over " + life_text(hazard) + " is none."
-          : fmt::format("Slip over {}, {}: median {}, 95th percentile {} at the end; the largest "
-                        "peak of one earthquake: {} and {}; the largest distance from the initial "
-                        "position at any time: {} and {}.",
-                        life_text(hazard), not_returned, length_or_none(sum.median_m),
-                        length_or_none(sum.p95_m), length_or_none(single.median_m),
-                        length_or_none(single.p95_m), length_or_none(far.median_m),
-                        length_or_none(far.p95_m)));
+  all.push_back(far.p95_m.value == 0.0
+                    ? "The 95th percentile of the slip over " + life_text(hazard) + " is none."
+                    : fmt::format("Slip over {}, {}: median {}, 95th percentile {} at the end; the "
+                                  "largest peak of one earthquake: {} and {}; the largest distance "
+                                  "from the initial position at any time: {} and {}.",
+                                  life_text(hazard), not_returned, length_or_none(sum.median_m),
+                                  length_or_none(sum.p95_m), length_or_none(single.median_m),
+                                  length_or_none(single.p95_m), length_or_none(far.median_m),
+                                  length_or_none(far.p95_m)));
   if (!hazard.residual_vectors)
     all.push_back(
         "These results have no residual displacements (those of one axis "
@@ -162,9 +160,8 @@ Html section(const Results& results) {
          paragraph(
              "The annual rate is the mean of the hazard curve over the capacities of the "
              "histories: what the share that has reached the clearance gives when integrated over "
-             "the hazard, "
-             "without a fit. The curve is a power law between its points, and goes on beyond "
-             "either end as in the last interval.") +
+             "the hazard, without a fit. The curve is a power law between its points, and goes on "
+             "beyond either end as in the last interval.") +
          wide_table(without_run_key(results, hazard_table(results))) +
          wide_table(without_run_key(results, hazard_targets_table(results))) +
          (standards.rows.empty() ? Html() : wide_table(without_run_key(results, standards))) +

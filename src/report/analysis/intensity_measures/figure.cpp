@@ -52,11 +52,9 @@ Figure intensity_measures_figure(const Results& results) {
       "Intensity measures ranked, for slip of " + format_length(ranking.front().threshold_m),
       counts_of(results) + "; " + run_name(results, run),
       "Capacity: the intensity at which half the samples of a record reach that displacement. A "
-      "small "
-      "dispersion means that a few records suffice. Of Arias intensity the square root counts, so "
-      "that all "
-      "measures grow with the motion alike. Of two measures: the first, given the second. Other "
-      "clearances: tables/intensity_measures.csv."};
+      "small dispersion means that a few records suffice. Of Arias intensity the square root "
+      "counts, so that all measures grow with the motion alike. Of two measures: the first, given "
+      "the second. Other clearances: tables/intensity_measures.csv."};
   figure.panels = {std::move(panel)};
   figure.plot_height_px = 200 + 26 * static_cast<int>(figure.panels[0].y.ticks.size());
   return figure;

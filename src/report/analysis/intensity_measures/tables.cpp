@@ -58,7 +58,7 @@ Table intensity_measures_table(const Results& results) {
   table.notes = {
       "Ranks first in: that share of the resamples of the records; equal measures do so together. "
       "Ties: where intervals overlap and none ranks first in nearly all resamples, these records "
-      "do not tell which measure is better.",
+      "do not show which measure is better.",
       "A and B: the dispersion in A that is left when the ratio of B to A (or the duration) is "
       "known too.",
       "p: that the slope of ln capacity on magnitude or ln distance is 0; below 0.05 the measure "

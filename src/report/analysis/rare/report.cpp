@@ -45,11 +45,10 @@ Table rare_table(const Results& results) {
   table.notes = {
       "Samples: interval from independent scrambles, on these records. Records: bootstrap over "
       "records.",
-      fmt::format(
-          "Effective number: (sum p)^2 / sum p^2 of the contributions p of the samples, of "
-          "the records. With fewer than {:g} of the samples the error of the samples is not "
-          "known (-); with few of the records the interval over records is too narrow.",
-          least_effective_samples),
+      fmt::format("Effective number: (sum p)^2 / sum p^2 of the contributions p of the samples, of "
+                  "the records. With fewer than {:g} of the samples the error of the samples is "
+                  "not known (-); with few of the records the interval over records is too narrow.",
+                  least_effective_samples),
       "Plain Monte Carlo samples: as many would be required for the same sampling error."};
   return table;
 }
@@ -74,9 +73,7 @@ std::vector<std::string> sentences(const Results& results) {
   return {fmt::format(
       "At {} slip reaches {} with a probability of {} (95 %: {} to {} of the samples, {} to {} of "
       "the records; effective number of records {:.1f} of {}). Plain Monte Carlo would need {:.2g} "
-      "samples "
-      "for "
-      "that sampling error; {} were run.",
+      "samples for that sampling error; {} were run.",
       at_intensity(results, row->level), format_length(row->threshold_m), small(row->probability),
       small(row->sampling_interval.low), small(row->sampling_interval.high),
       small(row->record_interval.low), small(row->record_interval.high), row->effective_records,
@@ -136,8 +133,7 @@ Html section(const Results& results) {
          paragraph(fmt::format(
              "Samples of quantities without bounds are from distributions whose standard normal "
              "numbers are {:g} times those of the study; weights (results.h5, /rare/weight) make "
-             "up "
-             "for it. Friction, slip and other numbers in results.h5 are those of the samples.",
+             "up for it. Friction, slip and other numbers in results.h5 are those of the samples.",
              results.rare->widening));
 }
 
@@ -157,8 +153,7 @@ std::vector<std::string> error_sentences(const Results& results) {
     const ReachedTarget& target = *results.reached_target;
     sentences.push_back(fmt::format(
         "{} of at most {} scrambles were run, {} samples: half of the 95 % interval of a median, "
-        "of "
-        "the samples alone, is {:.3g} % of it or less (target {:g} %, {}).",
+        "of the samples alone, is {:.3g} % of it or less (target {:g} %, {}).",
         target.scrambles, target.most_scrambles, results.cases.samples, 100.0 * target.error,
         100.0 * target.target_error, target.is_reached() ? "reached" : "not reached"));
   }

@@ -87,11 +87,10 @@ Figure spread_figure(const Results& results) {
       "sensitivity", "Where the spread of the capacity comes from, by clearance",
       "Dark: alone. Light, in brackets: with interactions. Line below: 95 % interval of alone. " +
           counts_of(results),
-      fmt::format("Capacity: the intensity ({}) at which slip reaches the clearance of "
-                  "the panel; log std: its logarithmic standard deviation. Bars: Sobol "
-                  "indices of ln capacity in percent of its variance. Dark: the "
-                  "reduction of the variance if the factor is known (first-order index). Light: "
-                  "including interactions (total index).",
+      fmt::format("Capacity: the intensity ({}) at which slip reaches the clearance of the panel; "
+                  "log std: its logarithmic standard deviation. Bars: Sobol indices of ln capacity "
+                  "in percent of its variance. Dark: the reduction of the variance if the factor "
+                  "is known (first-order index). Light: including interactions (total index).",
                   results.intensity_label)};
   const std::vector<std::size_t> factors = by_size(found, *rows.front());
   for (const SpreadRow* row : rows) figure.panels.push_back(bars_of(found, *row, factors));
@@ -110,16 +109,13 @@ Figure spread_over_intensity_figure(const Results& results) {
       fmt::format("What decides whether slip reaches {}, by intensity",
                   format_length(shown.threshold_m)),
       counts_of(results),
-      fmt::format("{} of whether slip reaches the clearance (0 or 1). Levels at which "
-                  "{:g} to {:g} % of the histories exceed. Other clearances, and "
-                  "intervals: tables/sensitivity_levels.csv.",
-                  given
-                      ? "The reduction of the variance if the quantity is known "
-                        "(first-order Sobol index)"
-                      : "The share of the variance that remains if all other quantities are "
-                        "known, including interactions (total Sobol index; these add to more than "
-                        "100 %)",
-                  100.0 * least, 100.0 * most)};
+      fmt::format(
+          "{} of whether slip reaches the clearance (0 or 1). Levels at which {:g} to {:g} % of "
+          "the histories exceed. Other clearances, and intervals: tables/sensitivity_levels.csv.",
+          given ? "The reduction of the variance if the quantity is known (first-order Sobol index)"
+                : "The share of the variance that remains if all other quantities are known, "
+                  "including interactions (total Sobol index; these add to more than 100 %)",
+          100.0 * least, 100.0 * most)};
   Panel panel{
       "",
       {results.intensity_label, 0.0, 0.0},

@@ -17,17 +17,16 @@ const Column total_column{"total", "", "With interactions [95 %]", ColumnKind::s
 
 std::vector<std::string> notes_on(const SensitivityResults& found) {
   const std::string alone =
-      "Alone: the reduction of the variance, on average, if the factor is known (first-order "
-      "Sobol index). With interactions: the share that remains if all others are known (total "
-      "index)";
+      "Alone: the reduction of the variance, on average, if the factor is known (first-order Sobol "
+      "index). With interactions: the share that remains if all others are known (total index)";
   if (found.matrices == 1)
-    return {alone + ", which these samples show of the records and of all that is drawn only.",
-            "Given data: " + std::to_string(found.samples) +
-                " samples that were not drawn for this, with all records, in groups by each "
-                "factor."};
-  return {alone + ".", fmt::format("{} samples in each of {} pick-freeze matrices, each with all "
-                                   "records.",
-                                   found.samples, found.matrices)};
+    return {
+        alone + ", which these samples show of the records and of all that is drawn only.",
+        "Given data: " + std::to_string(found.samples) +
+            " samples that were not drawn for this, with all records, in groups by each factor."};
+  return {alone + ".",
+          fmt::format("{} samples in each of {} pick-freeze matrices, each with all records.",
+                      found.samples, found.matrices)};
 }
 
 }  // namespace
@@ -117,11 +116,10 @@ Table design_friction_table(const Results& results) {
   for (const DesignFrictionRow& row : results.sensitivity->design_friction)
     table.add({row.condition, row.level, row.same_motion, row.same_motion_error, row.design_mean_m,
                row.above_mean, row.above_mean_error});
-  table.notes = {
-      "Normal friction is below mean - 2 std with a probability of 2.3 %.",
-      "Intervals are over records, with the error of the samples added, which all records share. "
-      "Without the latter they are, but for the same motion, never narrower than that of a "
-      "binomial with one trial for each record."};
+  table.notes = {"Normal friction is below mean - 2 std with a probability of 2.3 %.",
+                 "Intervals are over records, with the error of the samples added, which all "
+                 "records share. Without the latter they are, but for the same motion, never "
+                 "narrower than that of a binomial with one trial for each record."};
   return table;
 }
 

@@ -130,13 +130,11 @@ Figure shape_figure(const Results& results) {
       counts_of(results) + "; " + friction_of(results, results.runs.front()),
       "Points: observed share of histories that exceed the clearance. Lines: the lognormal fitted "
       "to capacities, and other models fitted to the shares at the levels. Two-part: probability "
-      "of "
-      "any slip times that of its size. One surface: lognormals of all clearances with one log "
+      "of any slip times that of its size. One surface: lognormals of all clearances with one log "
       "std. Shown are the clearance where the observed share departs most from the lognormal, and "
       "that where it departs least. Of the models at most three are drawn, those that differ most "
-      "from the lognormal, and by 0.03 or more. "
-      "p: goodness of fit; dotted: where the gap is largest. All clearances: tables/shape.csv and "
-      "tables/shape_levels.csv."};
+      "from the lognormal, and by 0.03 or more. p: goodness of fit; dotted: where the gap is "
+      "largest. All clearances: tables/shape.csv and tables/shape_levels.csv."};
   for (const auto shown : {worst, best}) {
     if (shown == best && best == worst && !figure.panels.empty()) break;
     figure.panels.push_back(

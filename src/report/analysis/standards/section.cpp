@@ -34,8 +34,7 @@ Html provisions_html(const Results& results) {
   if (!recalled.empty()) {
     html +=
         "<div class=\"warning\"><p><strong>Verify against the standard.</strong> These provisions "
-        "are recalled from "
-        "memory of the standard, not reproduced from it:</p>\n" +
+        "are recalled from memory of the standard, not reproduced from it:</p>\n" +
         list(recalled) + "</div>\n";
   }
   return html;

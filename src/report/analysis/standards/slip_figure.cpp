@@ -74,8 +74,7 @@ Figure slip_vs_sds_figure(const Results& results, const RunResults& run) {
   if (has_standards) {
     figure.caption +=
         " On the right: displacements prescribed by the standards; hollow points rest on "
-        "provisions "
-        "recalled from memory and must be verified against the standard. Values: "
+        "provisions recalled from memory and must be verified against the standard. Values: "
         "tables/standards.csv.";
   }
   figure.labels_at_lines = true;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "glissade/core/not_finite.hpp"
+#include "glissade/core/finite.hpp"
 #include "glissade/report/format.hpp"
 #include "glissade/report/tables.hpp"
 #include "text/study_text.hpp"

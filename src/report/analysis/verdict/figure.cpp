@@ -90,29 +90,33 @@ Interval interval_of_ratio(const VerdictRow& row) {
           height(std::isinf(high_m) ? row.displacement_m.front() : high_m, row)};
 }
 
-/// The slopes and frictions that are drawn.
-struct PanelsAndLines {
-  std::vector<double> slopes, frictions;
-
-  explicit PanelsAndLines(const VerdictResults& verdict) {
-    std::set<double> all_slopes, all_frictions;
-    for (const VerdictRow& row : verdict.rows) {
-      all_slopes.insert(row.slope_deg);
-      all_frictions.insert(row.mu);
-    }
-    slopes = some_of(all_slopes, most_panels);
-    frictions = some_of(all_frictions, most_lines);
-  }
-};
-
-/// The rows of one standard, friction and slope.
+/// A panel for each slope that is drawn; in it a line for each friction, to which `add` gives the
+/// rows of the standard, and a horizontal line at `rule`.
 template <class Add>
-void for_rows_of(const VerdictResults& verdict, Standard standard, double mu, double slope_deg,
-                 Add add) {
-  for (std::size_t i = 0; i < verdict.rows.size(); ++i) {
-    const VerdictRow& row = verdict.rows[i];
-    if (row.standard == standard && row.mu == mu && row.slope_deg == slope_deg) add(i, row);
+std::vector<Panel> panels_of(const VerdictResults& verdict, Standard standard, const Axis& x,
+                             const Axis& y, double rule, Add add) {
+  std::set<double> all_slopes, all_frictions;
+  for (const VerdictRow& row : verdict.rows) {
+    all_slopes.insert(row.slope_deg);
+    all_frictions.insert(row.mu);
   }
+  const std::vector<double> frictions = some_of(all_frictions, most_lines);
+  std::vector<Panel> panels;
+  for (const double slope : some_of(all_slopes, most_panels)) {
+    Panel panel{fmt::format("slope {:.3g} degrees", slope), x, y};
+    for (std::size_t i = 0; i < frictions.size(); ++i) {
+      FrictionLine line(frictions[i], i, frictions.size());
+      for (std::size_t at = 0; at < verdict.rows.size(); ++at) {
+        const VerdictRow& row = verdict.rows[at];
+        if (row.standard == standard && row.mu == frictions[i] && row.slope_deg == slope)
+          add(line, at, row);
+      }
+      line.draw_in(panel);
+    }
+    panel.rules.push_back({Rule::Kind::horizontal, rule, look(Role::prescribed), ""});
+    panels.push_back(std::move(panel));
+  }
+  return panels;
 }
 
 /// What the other standards prescribe over what this one does.
@@ -150,47 +154,35 @@ bool has_upper_ends(const VerdictResults& verdict) {
 Figure verdict_figure(const Results& results) {
   const VerdictResults& verdict = *results.verdict;
   const Standard standard = verdict.rows.back().standard;
-  const PanelsAndLines shown(verdict);
   const double accepted = 100.0 * verdict.exceedance.front();
   Figure figure{
       "verdict",
       fmt::format("Displacement that {:g} % exceed at DBE, over that of {}", accepted,
                   standard_name(standard)),
       results.suites.front().name + ", " + counts_of(results) +
-          "; the governing building period; at the lines: friction; bars: 95 % over "
-          "records" +
+          "; the governing building period; at the lines: friction; bars: 95 % over records" +
           (has_upper_ends(verdict) ? "" : ", lower ends (upper ends: none)"),
-      fmt::format(
-          "At the lines: coefficient of friction. Above 1 the prescribed displacement is exceeded "
-          "with more than {:g} % "
-          "probability, given the design earthquake. Bars: 95 % intervals over records; one that "
-          "ends at its point has no upper end: the records "
-          "are too few for one. Dotted: "
-          "what the other standard prescribes over it. Ratios below {:g} are drawn at it; a line "
-          "ends "
-          "where the array slides freely. All frictions and slopes, with intervals: "
-          "tables/verdict.csv.",
-          accepted, least_ratio)};
+      fmt::format("At the lines: coefficient of friction. Above 1 the prescribed displacement is "
+                  "exceeded with more than {:g} % probability, given the design earthquake. Bars: "
+                  "95 % intervals over records; one that ends at its point has no upper end: the "
+                  "records are too few for one. Dotted: what the other standard prescribes over "
+                  "it. Ratios below {:g} are drawn at it; a line ends where the array slides "
+                  "freely. All frictions and slopes, with intervals: tables/verdict.csv.",
+                  accepted, least_ratio)};
   const Abscissa abscissa(results);
   const std::vector<DataSeries> others = other_standards(verdict, standard, abscissa);
   for (const DataSeries& other : others) figure.below += "; dotted: " + other.name;
+  figure.panels = panels_of(verdict, standard, abscissa.axis(), {}, 0.0,
+                            [&](FrictionLine& line, std::size_t, const VerdictRow& row) {
+                              line.add(abscissa.of(row), height(row.displacement_m.front(), row),
+                                       interval_of_ratio(row));
+                            });
   double highest = std::log10(2.0);
-  for (const double slope : shown.slopes) {
-    Panel panel{fmt::format("slope {:.3g} degrees", slope), abscissa.axis(), {}};
-    panel.series = others;
-    for (std::size_t i = 0; i < shown.frictions.size(); ++i) {
-      FrictionLine ratio(shown.frictions[i], i, shown.frictions.size());
-      for_rows_of(verdict, standard, shown.frictions[i], slope,
-                  [&](std::size_t, const VerdictRow& row) {
-                    ratio.add(abscissa.of(row), height(row.displacement_m.front(), row),
-                              interval_of_ratio(row));
-                  });
-      for (const double top : ratio.bars.high)
+  for (Panel& panel : figure.panels) {
+    for (const DataSeries& series : panel.series)
+      for (const double top : series.high)
         if (std::isfinite(top)) highest = std::max(highest, top + 0.05);
-      ratio.draw_in(panel);
-    }
-    panel.rules.push_back({Rule::Kind::horizontal, 0.0, look(Role::prescribed), ""});
-    figure.panels.push_back(std::move(panel));
+    panel.series.insert(panel.series.begin(), others.begin(), others.end());
   }
   for (Panel& panel : figure.panels)
     panel.y = log_axis("Ratio to the prescribed value", std::log10(least_ratio), highest,
@@ -202,7 +194,6 @@ Figure verdict_figure(const Results& results) {
 Figure verdict_separations_figure(const Results& results) {
   const VerdictResults& verdict = *results.verdict;
   const Standard standard = verdict.rows.back().standard;
-  const PanelsAndLines shown(verdict);
   const double accepted = 100.0 * verdict.exceedance.front();
   Figure figure{
       "verdict_separations",
@@ -217,25 +208,15 @@ Figure verdict_separations_figure(const Results& results) {
           "All frictions, slopes and separations: tables/verdict_separations.csv.",
           accepted)};
   const Abscissa abscissa(results);
-  for (const double slope : shown.slopes) {
-    Panel panel{fmt::format("slope {:.3g} degrees", slope),
-                abscissa.axis(),
-                {"Probability (%)", 0.0, 100.0}};
-    for (std::size_t i = 0; i < shown.frictions.size(); ++i) {
-      FrictionLine probability(shown.frictions[i], i, shown.frictions.size());
-      for_rows_of(verdict, standard, shown.frictions[i], slope,
-                  [&](std::size_t at, const VerdictRow& row) {
-                    const VerdictSeparation* gap = governing_of(separations_of(verdict, at), 0.5);
-                    if (gap == nullptr) return;
-                    const Interval& interval = gap->dbe.interval;
-                    probability.add(abscissa.of(row), 100.0 * gap->dbe.probability,
-                                    {100.0 * interval.low, 100.0 * interval.high});
-                  });
-      probability.draw_in(panel);
-    }
-    panel.rules.push_back({Rule::Kind::horizontal, accepted, look(Role::prescribed), ""});
-    figure.panels.push_back(std::move(panel));
-  }
+  figure.panels =
+      panels_of(verdict, standard, abscissa.axis(), {"Probability (%)", 0.0, 100.0}, accepted,
+                [&](FrictionLine& line, std::size_t at, const VerdictRow& row) {
+                  const VerdictSeparation* gap = governing_of(separations_of(verdict, at), 0.5);
+                  if (gap == nullptr) return;
+                  const Interval& interval = gap->dbe.interval;
+                  line.add(abscissa.of(row), 100.0 * gap->dbe.probability,
+                           {100.0 * interval.low, 100.0 * interval.high});
+                });
   figure.labels_at_lines = true;
   return figure;
 }

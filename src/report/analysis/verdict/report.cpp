@@ -136,8 +136,7 @@ std::string sentence_of(const Results& results, double r, bool within) {
     });
     if (t.rows == 0) continue;
     text += fmt::format(
-        "{} {}: {} of {} exceeded (largest probability {}), {} by estimate "
-        "conservative",
+        "{} {}: {} of {} exceeded (largest probability {}), {} by estimate conservative",
         text.empty() ? "" : ";", standard_name(standard), t.exceeded, t.rows,
         text_of(t.governing->dbe), t.conservative);
   }

@@ -95,23 +95,47 @@ double response_modification(const Results& results, const VerdictRow& row) {
   return results.cases.cases[row.first_case].response_modification;
 }
 
+namespace {
+
+/// Which row of the verdict: the first columns of its tables, and their cells.
+std::vector<Column> row_columns(std::initializer_list<Column> others) {
+  std::vector<Column> columns{condition_column,
+                              {"mu", "", "Friction"},
+                              {"slope", "deg", "Slope, degrees"},
+                              text_column("standard", "Standard"),
+                              text_column("conditions", "Conditions"),
+                              {"sds", "g", "S_DS, g"}};
+  columns.insert(columns.end(), others);
+  return columns;
+}
+
+std::vector<Cell> row_cells(const VerdictRow& row, std::initializer_list<Cell> others) {
+  std::vector<Cell> cells{row.condition,
+                          row.mu,
+                          row.slope_deg,
+                          standard_name(row.standard),
+                          std::string(conditions_text(row)),
+                          row.sds_g};
+  cells.insert(cells.end(), others);
+  return cells;
+}
+
+Estimate estimate(const VerdictProbability& of) { return {of.probability, of.interval}; }
+
+}  // namespace
+
 Table verdict_table(const Results& results) {
   const VerdictResults& verdict = *results.verdict;
-  Table table{"verdict",
-              "Prescribed displacements, in the building whose period makes each number largest",
-              {condition_column,
-               {"mu", "", "Friction"},
-               {"slope", "deg", "Slope, degrees"},
-               text_column("standard", "Standard"),
-               text_column("conditions", "Conditions"),
-               {"sds", "g", "S_DS, g"},
-               {"prescribed", "m", "Prescribed, m (in)", ColumnKind::length},
-               text_column("provision", "Provision"),
-               {"dbe_probability", "", "Exceeded at DBE [95 %]", ColumnKind::share, true},
-               {"dbe_period", "s", "Period, s"},
-               {"mce_probability", "", "Exceeded at MCE [95 %]", ColumnKind::share, true},
-               {"mce_period", "s", "Period, s"}},
-              {}};
+  Table table{
+      "verdict",
+      "Prescribed displacements, in the building whose period makes each number largest",
+      row_columns({{"prescribed", "m", "Prescribed, m (in)", ColumnKind::length},
+                   text_column("provision", "Provision"),
+                   {"dbe_probability", "", "Exceeded at DBE [95 %]", ColumnKind::share, true},
+                   {"dbe_period", "s", "Period, s"},
+                   {"mce_probability", "", "Exceeded at MCE [95 %]", ColumnKind::share, true},
+                   {"mce_period", "s", "Period, s"}}),
+      {}};
   for (const double p : verdict.exceedance)
     table.columns.push_back({fmt::format("displacement_{:g}_percent", 100.0 * p), "m",
                              percent(p) + " exceed, m (in) [95 %]", ColumnKind::length, true});
@@ -120,18 +144,9 @@ Table verdict_table(const Results& results) {
   table.columns.push_back(
       text_column("certain", "Interval on one side of " + percent(verdict.exceedance.front())));
   for (const VerdictRow& row : verdict.rows) {
-    std::vector<Cell> cells{row.condition,
-                            row.mu,
-                            row.slope_deg,
-                            standard_name(row.standard),
-                            std::string(conditions_text(row)),
-                            row.sds_g,
-                            row.prescribed.value_m,
-                            std::string(provision_text({&row, 1})),
-                            Estimate{row.dbe.probability, row.dbe.interval},
-                            row.dbe.period_s,
-                            Estimate{row.mce.probability, row.mce.interval},
-                            row.mce.period_s};
+    std::vector<Cell> cells =
+        row_cells(row, {row.prescribed.value_m, std::string(provision_text({&row, 1})),
+                        estimate(row.dbe), row.dbe.period_s, estimate(row.mce), row.mce.period_s});
     for (std::size_t i = 0; i < row.displacement_m.size(); ++i)
       cells.emplace_back(Estimate{row.displacement_m[i], row.displacement_interval[i]});
     cells.emplace_back(row.displacement_m.front() / row.prescribed.value_m);
@@ -163,17 +178,15 @@ Table verdict_summary_table(const Results& results) {
     table.add({kind.front().slope_deg, kind.front().mu, standard_name(kind.front().standard),
                provision_text(kind), std::string(conditions_text(kind.front())),
                ranges_of(verdict, kind, Judgement::exceeded),
-               ranges_of(verdict, kind, Judgement::conservative),
-               Estimate{dbe.probability, dbe.interval}, Estimate{mce.probability, mce.interval},
+               ranges_of(verdict, kind, Judgement::conservative), estimate(dbe), estimate(mce),
                kind.front().condition});
   }
   table.notes = {fmt::format(
-      "Exceeded: with more than {} probability at DBE. Conservative: more than twice "
-      "the displacement that {} of the histories exceed at DBE. Conditions: slope and "
-      "friction of the standard. Provision: reproduced from a source (checked), or from "
-      "memory of the standard (recalled: verify it); least values are recalled. ASCE 7-22 is not "
-      "judged apart: its 13.6.12 has the equation of ASCE 7-16 (recalled), with an S_DS "
-      "of its own.",
+      "Exceeded: with more than {} probability at DBE. Conservative: more than twice the "
+      "displacement that {} of the histories exceed at DBE. Conditions: slope and friction of the "
+      "standard. Provision: reproduced from a source (checked), or from memory of the standard "
+      "(recalled: verify it); least values are recalled. ASCE 7-22 is not judged apart: its "
+      "13.6.12 has the equation of ASCE 7-16 (recalled), with an S_DS of its own.",
       percent(verdict.exceedance.front()), percent(verdict.exceedance.back()))};
   const bool lists_more = std::ranges::any_of(results.cases.axes, [](const CaseAxis& axis) {
     return axis.key != "friction.mu" && axis.key != "roof.slope_deg" &&
@@ -192,32 +205,23 @@ std::span<const VerdictSeparation> all_of(const VerdictResults& verdict, Verdict
   return {begin.data(), end.data() + end.size()};
 }
 
-Estimate estimate(const VerdictProbability& of) { return {of.probability, of.interval}; }
-
 }  // namespace
 
 Table verdict_separations_table(const Results& results) {
   const VerdictResults& verdict = *results.verdict;
   Table table{"verdict_separations",
               "Probability that more than a separation is needed",
-              {condition_column,
-               {"mu", "", "Friction"},
-               {"slope", "deg", "Slope, degrees"},
-               text_column("standard", "Standard"),
-               text_column("conditions", "Conditions"),
-               {"sds", "g", "S_DS, g"},
-               text_column("separation", "Separation"),
-               {"value", "m", "Separation, m (in)", ColumnKind::length},
-               {"dbe_probability", "", "At DBE [95 %]", ColumnKind::share, true},
-               {"dbe_period", "s", "Period, s"},
-               {"mce_probability", "", "At MCE [95 %]", ColumnKind::share, true},
-               {"mce_period", "s", "Period, s"}},
+              row_columns({text_column("separation", "Separation"),
+                           {"value", "m", "Separation, m (in)", ColumnKind::length},
+                           {"dbe_probability", "", "At DBE [95 %]", ColumnKind::share, true},
+                           {"dbe_period", "s", "Period, s"},
+                           {"mce_probability", "", "At MCE [95 %]", ColumnKind::share, true},
+                           {"mce_period", "s", "Period, s"}}),
               {}};
   for (const VerdictSeparation& s : verdict.separations) {
     const VerdictRow& row = verdict.rows[s.row];
-    table.add({row.condition, row.mu, row.slope_deg, standard_name(row.standard),
-               std::string(conditions_text(row)), row.sds_g, s.what, s.value_m, estimate(s.dbe),
-               s.dbe.period_s, estimate(s.mce), s.mce.period_s});
+    table.add(row_cells(row, {s.what, s.value_m, estimate(s.dbe), s.dbe.period_s, estimate(s.mce),
+                              s.mce.period_s}));
   }
   return table;
 }

@@ -8,7 +8,7 @@
 #include <numeric>
 
 #include "analysis/pooled_level.hpp"
-#include "glissade/core/not_finite.hpp"
+#include "glissade/core/finite.hpp"
 #include "glissade/core/quantile.hpp"
 #include "glissade/core/units.hpp"
 #include "glissade/fragility/bootstrap.hpp"

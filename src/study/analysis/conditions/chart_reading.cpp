@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "glissade/core/not_finite.hpp"
+#include "glissade/core/finite.hpp"
 #include "glissade/study/analysis/chart.hpp"
 
 namespace glissade {

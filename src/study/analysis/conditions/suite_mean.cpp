@@ -6,7 +6,7 @@
 #include <functional>
 
 #include "glissade/core/contract.hpp"
-#include "glissade/core/not_finite.hpp"
+#include "glissade/core/finite.hpp"
 #include "glissade/core/quantile.hpp"
 #include "glissade/core/random.hpp"
 #include "glissade/study/results.hpp"

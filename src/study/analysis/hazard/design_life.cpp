@@ -7,7 +7,7 @@
 #include <map>
 #include <numeric>
 
-#include "glissade/core/not_finite.hpp"
+#include "glissade/core/finite.hpp"
 #include "glissade/core/quantile.hpp"
 #include "glissade/core/random.hpp"
 #include "glissade/study/cases/case_scene.hpp"

@@ -6,7 +6,7 @@
 #include <numeric>
 
 #include "analysis/hazard/design_life.hpp"
-#include "glissade/core/not_finite.hpp"
+#include "glissade/core/finite.hpp"
 #include "glissade/study/cases/case_scene.hpp"
 #include "glissade/study/config.hpp"
 #include "glissade/study/results.hpp"

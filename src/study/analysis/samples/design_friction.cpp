@@ -7,8 +7,8 @@
 #include <numeric>
 
 #include "analysis/pooled_level.hpp"
+#include "glissade/core/finite.hpp"
 #include "glissade/core/jackknife.hpp"
-#include "glissade/core/not_finite.hpp"
 #include "glissade/fragility/bootstrap.hpp"
 #include "glissade/fragility/share.hpp"
 #include "glissade/study/results.hpp"
