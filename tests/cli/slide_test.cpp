@@ -277,6 +277,9 @@ TEST_F(Slide, without_a_base_the_json_has_no_tipping) {
 }
 
 TEST_F(Slide, refuses_half_a_base_and_sizes_that_are_none) {
+  expect_refused(
+      run_program({"slide", record_, "--mu", "0.9", "--slope-deg", "0", "--scale", "1e80"}),
+      {"1e+80", "too large"});
   expect_refused(run_program({"slide", record_, "--mu", "0.9", "--slope-deg", "0",
                               "--centre-of-mass-height-m", "1"}),
                  {"--centre-of-mass-height-m", "give --base-width-m too"});

@@ -94,9 +94,9 @@ TEST_F(RecordFile, samples_that_are_no_finite_numbers_are_reported_with_their_li
            {header + "1 two 3\n", "record:5", {"'two'"}}});
 }
 
-TEST_F(RecordFile, samples_that_are_finite_in_g_alone_are_reported_with_their_line) {
-  refuses({{at2_head + "NPTS= 2, DT= .01 SEC\n1\n1e308\n", "record:6", {"'1e308'", "m/s2"}},
-           {"0 1\n0.01 -1e308\n", "record:2", {"'-1e308'", "m/s2"}}});
+TEST_F(RecordFile, samples_beyond_any_ground_motion_are_reported_with_their_line) {
+  refuses({{at2_head + "NPTS= 2, DT= .01 SEC\n1\n1e308\n", "record:6", {"'1e308'", "100,000 g"}},
+           {"0 1\n0.01 -1.1e5\n", "record:2", {"'-1.1e5'", "100,000 g"}}});
 }
 
 TEST_F(RecordFile, steps_that_are_not_above_zero_or_missing_are_refused) {

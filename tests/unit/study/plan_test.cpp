@@ -401,6 +401,13 @@ TEST(plan, runs_the_records_a_study_names) {
   EXPECT_THROW(small_plan(config), InputError);
 }
 
+TEST(plan, refuses_a_factor_that_no_kernel_takes) {
+  StudyConfig config = small_config();
+  config.intensity.measure = IntensityMeasure::pga_g;
+  config.intensity.levels.back() = 1e12;
+  EXPECT_THROW(small_plan(config), InputError);
+}
+
 TEST(plan, has_the_records_of_every_suite) {
   StudyConfig config = small_config();
   config.suite_files = {"a.toml", "b.toml"};
