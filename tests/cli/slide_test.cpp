@@ -276,10 +276,13 @@ TEST_F(Slide, without_a_base_the_json_has_no_tipping) {
   EXPECT_FALSE(json.contains("tipping_scale"));
 }
 
-TEST_F(Slide, refuses_half_a_base_and_sizes_that_are_none) {
+TEST_F(Slide, refuses_a_factor_that_no_kernel_takes) {
   expect_refused(
       run_program({"slide", record_, "--mu", "0.9", "--slope-deg", "0", "--scale", "1e80"}),
       {"1e+80", "too large"});
+}
+
+TEST_F(Slide, refuses_half_a_base_and_sizes_that_are_none) {
   expect_refused(run_program({"slide", record_, "--mu", "0.9", "--slope-deg", "0",
                               "--centre-of-mass-height-m", "1"}),
                  {"--centre-of-mass-height-m", "give --base-width-m too"});
