@@ -28,7 +28,7 @@ inline void require_finite(std::initializer_list<double> values, const char* wha
 
 /// Largest acceleration (m/s2), and factor on one, that a kernel takes: with it no square or
 /// product of what the kernel computes overflows.
-inline constexpr double largest_acceleration = 1e9;
+inline constexpr double largest_acceleration = 1e12;
 
 /// Refuses NaN and what is larger than largest_acceleration, in every build.
 /// @throw std::invalid_argument
@@ -37,7 +37,7 @@ inline void require_acceleration(std::span<const double> values, const char* wha
   double largest = 0.0;
   for (const double value : values) largest = std::max(largest, std::abs(value));
   if (largest > largest_acceleration)
-    throw std::invalid_argument(std::string(what) + " must be 1e9 at most");
+    throw std::invalid_argument(std::string(what) + " must be 1e12 at most");
 }
 inline void require_acceleration(std::initializer_list<double> values, const char* what) {
   require_acceleration(std::span(values.begin(), values.size()), what);

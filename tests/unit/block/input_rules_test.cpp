@@ -197,9 +197,9 @@ TEST(a_factor_beyond_any_motion, is_refused_by_every_model) {
           return peak.peak_displacement_m;
         }};
   };
-  for (const double factor : {1e10, 1e80, 1e160, 1e300})
+  for (const double factor : {1e13, 1e80, 1e160, 1e300})
     for (const auto& slip : slips(factor)) EXPECT_THROW(slip(), std::invalid_argument) << factor;
-  for (const auto& slip : slips(1e6)) EXPECT_TRUE(std::isfinite(slip()));
+  for (const auto& slip : slips(1e9)) EXPECT_TRUE(std::isfinite(slip()));
 }
 
 TEST(a_tolerance, that_no_step_can_meet_is_refused_in_every_build) {

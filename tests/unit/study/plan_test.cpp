@@ -404,7 +404,7 @@ TEST(plan, runs_the_records_a_study_names) {
 TEST(plan, refuses_a_factor_that_no_kernel_takes) {
   StudyConfig config = small_config();
   config.intensity.measure = IntensityMeasure::pga_g;
-  config.intensity.levels.back() = 1e12;
+  config.intensity.levels.back() = 1e15;
   EXPECT_THROW(small_plan(config), InputError);
 }
 
