@@ -39,14 +39,15 @@ void FullModelBody::follow(const Excitation& excitation, double longest_period_s
 }
 
 void FullModelBody::ring_down(double dt_s, double longest_period_s) {
-  const std::size_t last = longest_period_s == 0.0 ? 0 : longest_ring_down(dt_s);
+  const double last = std::ceil(RoofMotionOptions{}.longest_ring_down_s / dt_s);
   const double from_s = time_s_;
   double at_rest_s = 0.0;
   ExcitationPiece quiet;
   quiet.length_s = dt_s;
   for (std::size_t i = 1;; ++i) {
     if (at_rest() && at_rest_s >= longest_period_s && is_settled()) return;
-    if (i > last) break;
+    if (longest_period_s == 0.0 || static_cast<double>(i) > last) break;
+    if (i == 1u << 20) longest_ring_down(dt_s);  // refuses a step that is too short
     interval(quiet, from_s + static_cast<double>(i) * dt_s);
     at_rest_s = at_rest() ? at_rest_s + dt_s : 0.0;
   }
