@@ -92,7 +92,7 @@ const std::array parameter_rows = {
               "rate_s_per_m",
               "friction rate",
               "s/m",
-              {0.0, 1e5, "0 to 100,000"},  // beyond, 1/a is less than 10 um/s
+              {0.0, 1e5, "0 to 1e+05 (100,000)"},  // beyond, 1/a is less than 10 um/s
               18,
               "rate a of mu_fast - (mu_fast - mu_slow) exp(-a speed)",
               [](Case& c) -> double& { return c.law.rate_s_per_m; },
