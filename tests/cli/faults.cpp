@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Loaded into glissade by LD_PRELOAD, not into its children: a disk to which nothing can be written
-// from some call on, and a clock that is set while the program runs.
+// from some call on, memory that ends, and a clock that is set while the program runs.
 //   FAULT_ERRNO=28 FAULT_FROM=17   from the 17th writing call on, each fails with that error
 //   FAULT_IN=out/journal           of those in paths with these words
+//   FAULT_MEMORY=1                 no more memory once a file of these is flushed to the disk
 //   FAULT_COUNT=FILE               how many writing calls there were
 //   FAULT_CLOCK=1                  the time of day jumps by days between two calls
 //   FAULT_FREE_MB=10               so much room every disk has
@@ -13,6 +14,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/resource.h>
 #include <sys/stat.h>
 #include <sys/statvfs.h>
 #include <sys/time.h>
@@ -30,6 +32,23 @@ bool is_glissade() { return strcmp(program_invocation_short_name, "glissade") ==
 long number(const char* name) {
   const char* text = is_glissade() ? getenv(name) : nullptr;
   return text == nullptr ? 0 : atol(text);
+}
+
+/// No more address space than the process has now, but for its stack, and nothing large of that
+/// free.
+void end_memory() {
+  char pages[32] = {};
+  FILE* statm = fopen("/proc/self/statm", "r");
+  if (statm == nullptr || fgets(pages, sizeof pages, statm) == nullptr) abort();
+  fclose(statm);
+  constexpr rlim_t stack_bytes = 256 << 10;
+  rlimit limit = {};
+  getrlimit(RLIMIT_AS, &limit);
+  limit.rlim_cur = atol(pages) * sysconf(_SC_PAGESIZE) + stack_bytes;
+  setrlimit(RLIMIT_AS, &limit);
+  constexpr size_t large_bytes = 16 << 10;
+  void* volatile taken = malloc(large_bytes);
+  while (taken != nullptr) taken = malloc(large_bytes);
 }
 
 bool fails() {
@@ -103,7 +122,11 @@ ssize_t write(int fd, const void* data, size_t size) {
   if (is_meant(fd) && fails()) return -1;
   return next<ssize_t (*)(int, const void*, size_t)>("write")(fd, data, size);
 }
-int fsync(int fd) { return is_meant(fd) && fails() ? -1 : next<int (*)(int)>("fsync")(fd); }
+int fsync(int fd) {
+  if (!is_meant(fd)) return next<int (*)(int)>("fsync")(fd);
+  if (number("FAULT_MEMORY") != 0) end_memory();
+  return fails() ? -1 : next<int (*)(int)>("fsync")(fd);
+}
 int mkdir(const char* path, mode_t mode) noexcept {
   return is_meant(path) && fails() ? -1 : next<int (*)(const char*, mode_t)>("mkdir")(path, mode);
 }

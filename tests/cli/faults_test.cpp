@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstdlib>
+#include <nlohmann/json.hpp>
 
 #include "cli/child.hpp"
 #include "cli/one_run.hpp"
@@ -99,6 +100,26 @@ TEST_F(Faults,
   EXPECT_THAT(read_file(again_ / "run.json"), HasSubstr("\"finished\""));
   EXPECT_TRUE(read_file(again_ / "results.h5") == read_file(out() / "results.h5"));
   EXPECT_FALSE(fs::exists(again_ / "journal"));
+}
+
+// The journals are flushed to the disk before the results are made of them.
+TEST_F(Faults,
+       memory_that_ends_after_the_histories_leaves_a_run_that_is_stopped_and_can_be_resumed) {
+  const std::string study =
+      folder_->write("large.toml", replaced(short_study(), "samples = 2", "samples = 256"));
+  const fs::path whole = folder_->path("whole");
+  ASSERT_EQ(run_program({"run", study, "--out", whole.string()}).status, 0);
+  const Finished failed = run_shell(
+      "FAULT_MEMORY=1 FAULT_IN=.units LD_PRELOAD=" GLISSADE_FAULTS_LIBRARY " \"$0\" run '" + study +
+      "' --out '" + again_.string() + "'");
+  expect_refused(failed, {"not enough memory"});
+  EXPECT_FALSE(fs::exists(again_ / "results.h5"));
+  const auto json = nlohmann::json::parse(read_file(again_ / "run.json"));
+  EXPECT_EQ(json.at("status"), "stopped");
+  EXPECT_EQ(json.at("what_to_do"), "glissade run --resume " + again_.string());
+  const Finished resumed = run_program({"run", "--resume", again_.string()});
+  EXPECT_EQ(resumed.status, 0) << resumed.err;
+  EXPECT_TRUE(read_file(again_ / "results.h5") == read_file(whole / "results.h5"));
 }
 
 TEST_F(Faults, a_disk_with_less_room_than_the_results_need_is_refused_before_the_run) {

@@ -56,10 +56,10 @@ void check_same_plan(const Plan& plan, const Communicator& world) {
   on_root(world, [&] {
     for (const std::vector<char>& other : hashes) {
       if (hash == std::string(other.begin(), other.end())) continue;
-      throw InputError({"", "the ranks make different plans of one study",
-                        "run them on one kind of machine, and do not change the study file while "
-                        "they start",
-                        ""});
+      throw InputError(
+          {"", "the ranks make different plans of one study",
+           "run them on one kind of machine, and do not change the study file while they start",
+           ""});
     }
   });
 }
@@ -133,12 +133,9 @@ void check_run_folder(const fs::path& folder, bool overwrite) {
                       "wait until it ends, or give another --out", ""});
   }
   if (!overwrite && has_identity(folder) && !is_finished(folder / "run.json")) {
-    throw InputError({"--out",
-                      folder.string() + " holds a run that was stopped or killed, or a part of one",
-                      "go on with: " + resume_command(folder) +
-                          ", or give another --out, or "
-                          "--overwrite",
-                      ""});
+    throw InputError(
+        {"--out", folder.string() + " holds a run that was stopped or killed, or a part of one",
+         "go on with: " + resume_command(folder) + ", or give another --out, or --overwrite", ""});
   }
   if (!was_killed_at_its_begin(folder)) check_output_folder(folder, overwrite);
 }
@@ -196,7 +193,9 @@ void leave(const fs::path& folder) noexcept {
     if (fs::exists(results, ignored)) {
       write_text_file(run_json, unreported_json(run_json, results));
       remove_journals(folder);
-    } else if (!has_units(folder)) {
+    } else if (has_units(folder)) {
+      write_text_file(run_json, failed_json(run_json, resume_command(folder)));
+    } else {
       fs::remove(run_json, ignored);
       remove_journals(folder);
       fs::remove(folder, ignored);  // if empty

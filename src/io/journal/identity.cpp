@@ -7,6 +7,7 @@
 #include "glissade/core/error.hpp"
 #include "glissade/core/file.hpp"
 #include "glissade/core/hash.hpp"
+#include "glissade/core/output_file.hpp"
 #include "glissade/io/journal.hpp"
 #include "glissade/study/run/exchange.hpp"
 #include "journal/frame.hpp"
@@ -25,11 +26,14 @@ fs::path JournalNames::units(int rank, int session) const {
 
 std::vector<fs::path> JournalNames::all_units() const {
   std::vector<fs::path> files;
-  std::error_code ignored;
-  for (const auto& entry : fs::directory_iterator(folder, ignored)) {
+  std::error_code error, ignored;
+  for (const auto& entry : fs::directory_iterator(folder, error)) {
     if (entry.path().extension() == ".units" && entry.is_regular_file(ignored))
       files.push_back(entry.path());
   }
+  // Without the memory to list it a folder with units is not one without.
+  if (error && fs::exists(folder, ignored))
+    throw_io_error(folder, "cannot be listed", error.value());
   std::ranges::sort(files);
   return files;
 }
