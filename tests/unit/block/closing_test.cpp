@@ -90,24 +90,35 @@ double displacement_at(const std::vector<SlipPoint>& history, double time_s) {
          h * t * u * (u * a.velocity_mps - t * b.velocity_mps);
 }
 
+struct TwoOnOneAxis {
+  OnBuilding scene;
+  std::array<std::vector<SlipPoint>, 2> histories;
+  double peak_m = 0.0, end_s = 0.0;
+};
+
+/// Two arrays on a rigid roof, the second of 1.2 times the friction, by slide(), which is exact.
+/// @param factor of the ground motion of the second
+TwoOnOneAxis two_on_one_axis(unsigned seed, double factor) {
+  TwoOnOneAxis two{OnBuilding(seed, 600, 12.0), {}};
+  OnBuilding& scene = two.scene;
+  scene.second.clear();
+  scene.building = {};
+  scene.block.azimuth_rad = 0.0;
+  for (const std::size_t i : {0u, 1u}) {
+    const Block block{.friction = (i == 0 ? 1.0 : 1.2) * scene.block.friction.along,
+                      .slope_rad = scene.block.slope_rad};
+    const RoofAcceleration roof{scene.dt_s, scene.first, scene.up, i == 0 ? 1.0 : factor, 1.0};
+    two.peak_m = std::max(two.peak_m, slide(roof, block, two.histories[i]).peak_displacement_m);
+    two.end_s = std::max(two.end_s, two.histories[i].back().time_s);
+  }
+  return two;
+}
+
 // slide() is exact on one axis. Its histories are sampled, so their largest difference is a little
 // below the true one.
 TEST(closing_on_building, is_that_of_two_exact_histories_on_one_axis) {
   for (unsigned seed = 1; seed <= 10; ++seed) {
-    OnBuilding scene(seed, 600, 12.0);
-    scene.second.clear();
-    scene.building = {};
-    scene.block.azimuth_rad = 0.0;
-    std::array<std::vector<SlipPoint>, 2> histories;
-    double peak_m = 0.0, end_s = 0.0;
-    for (const std::size_t i : {0u, 1u}) {
-      const Block block{.friction = (i == 0 ? 1.0 : 1.2) * scene.block.friction.along,
-                        .slope_rad = scene.block.slope_rad};
-      peak_m = std::max(
-          peak_m,
-          slide({scene.dt_s, scene.first, scene.up}, block, histories[i]).peak_displacement_m);
-      end_s = std::max(end_s, histories[i].back().time_s);
-    }
+    const auto [scene, histories, peak_m, end_s] = two_on_one_axis(seed, 1.0);
     double ahead_m = 0.0, behind_m = 0.0;
     for (double t = 0.0; t < end_s; t += scene.dt_s / 64.0) {
       const double apart_m = displacement_at(histories[0], t) - displacement_at(histories[1], t);
@@ -123,19 +134,7 @@ TEST(closing_on_building, is_that_of_two_exact_histories_on_one_axis) {
 // On facing slopes each slides down its own: under the same motion one of them has it reversed.
 TEST(closing_on_building, across_a_valley_is_the_sum_of_two_exact_histories_on_one_axis) {
   for (unsigned seed = 1; seed <= 10; ++seed) {
-    OnBuilding scene(seed, 600, 12.0);
-    scene.second.clear();
-    scene.building = {};
-    scene.block.azimuth_rad = 0.0;
-    std::array<std::vector<SlipPoint>, 2> histories;
-    double peak_m = 0.0, end_s = 0.0;
-    for (const std::size_t i : {0u, 1u}) {
-      const Block block{.friction = (i == 0 ? 1.0 : 1.2) * scene.block.friction.along,
-                        .slope_rad = scene.block.slope_rad};
-      const RoofAcceleration roof{scene.dt_s, scene.first, scene.up, i == 0 ? 1.0 : -1.0, 1.0};
-      peak_m = std::max(peak_m, slide(roof, block, histories[i]).peak_displacement_m);
-      end_s = std::max(end_s, histories[i].back().time_s);
-    }
+    const auto [scene, histories, peak_m, end_s] = two_on_one_axis(seed, -1.0);
     double closing_m = 0.0;
     for (double t = 0.0; t < end_s; t += scene.dt_s / 64.0)
       closing_m =

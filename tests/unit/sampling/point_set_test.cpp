@@ -12,32 +12,6 @@
 namespace glissade {
 namespace {
 
-// First 16 unscrambled Sobol points in four dimensions with Joe & Kuo (2008) direction numbers: the
-// project's worked example ex8, computed with an independent program.
-constexpr double first_points[16][4] = {{0, 0, 0, 0},
-                                        {0.5, 0.5, 0.5, 0.5},
-                                        {0.75, 0.25, 0.25, 0.25},
-                                        {0.25, 0.75, 0.75, 0.75},
-                                        {0.375, 0.375, 0.625, 0.875},
-                                        {0.875, 0.875, 0.125, 0.375},
-                                        {0.625, 0.125, 0.875, 0.625},
-                                        {0.125, 0.625, 0.375, 0.125},
-                                        {0.1875, 0.3125, 0.9375, 0.4375},
-                                        {0.6875, 0.8125, 0.4375, 0.9375},
-                                        {0.9375, 0.0625, 0.6875, 0.1875},
-                                        {0.4375, 0.5625, 0.1875, 0.6875},
-                                        {0.3125, 0.1875, 0.3125, 0.5625},
-                                        {0.8125, 0.6875, 0.8125, 0.0625},
-                                        {0.5625, 0.4375, 0.0625, 0.8125},
-                                        {0.0625, 0.9375, 0.5625, 0.3125}};
-
-TEST(sobol_coordinate, gives_the_first_points_of_the_worked_example) {
-  for (std::uint32_t i = 0; i < 16; ++i) {
-    for (std::uint32_t d = 0; d < 4; ++d)
-      EXPECT_EQ(sobol_coordinate(i, d), first_points[i][d]) << i << ", " << d;
-  }
-}
-
 /// Number of points in each of 2^bits equal cells of [0, 1).
 std::vector<int> counts(const std::vector<double>& values, int bits) {
   std::vector<int> result(std::size_t{1} << bits);
@@ -59,19 +33,6 @@ TEST(point_set, has_one_scrambled_point_in_each_interval_in_every_dimension) {
     const PointSet points(SamplingMethod::sobol, seed);
     for (std::uint32_t d = 0; d < 64; ++d)
       EXPECT_THAT(counts(column(points, 256, d), 8), ::testing::Each(1)) << d;
-  }
-}
-
-// Dimensions 0 and 1 are a (0, 2)-sequence: one of 256 points in each box of 2^-a by 2^-(8-a).
-TEST(point_set, has_one_scrambled_point_in_each_elementary_box_of_the_first_two_dimensions) {
-  const PointSet points(SamplingMethod::sobol, 3);
-  for (int a = 0; a <= 8; ++a) {
-    std::set<std::pair<int, int>> boxes;
-    for (std::uint64_t i = 0; i < 256; ++i) {
-      boxes.emplace(static_cast<int>(std::ldexp(points.coordinate(i, 0), a)),
-                    static_cast<int>(std::ldexp(points.coordinate(i, 1), 8 - a)));
-    }
-    EXPECT_EQ(boxes.size(), 256u) << a;
   }
 }
 

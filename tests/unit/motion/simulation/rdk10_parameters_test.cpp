@@ -10,29 +10,6 @@
 namespace glissade {
 namespace {
 
-constexpr Scenario page_scenario{7.0, 20.0, 760.0, FaultMechanism::strike_slip};
-
-// A test vector computed from the coefficients of rzz2015_gmpe.py (SCEC Broadband Platform), with
-// its digits.
-TEST(rdk10_parameters, reproduce_the_test_vector_of_the_page) {
-  const Rdk10Scores scores = rdk10_mean_scores(page_scenario);
-  constexpr Rdk10Scores expected = {.9470, .2422, -.2821, .2864, -.1111, .7360};
-  for (std::size_t i = 0; i < 6; ++i) EXPECT_NEAR(scores[i], expected[i], 6e-5);
-
-  const Rdk10Parameters p = rdk10_parameters(scores);
-  EXPECT_NEAR(p.arias_g2s, .03113, 6e-6);
-  EXPECT_NEAR(p.significant_duration_s, 18.710, 6e-4);
-  EXPECT_NEAR(p.middle_time_s, 9.2369, 6e-5);
-  EXPECT_NEAR(p.middle_frequency_hz, 6.2327, 6e-5);
-  EXPECT_NEAR(p.frequency_slope_hzps, -.06674, 6e-6);
-  EXPECT_NEAR(p.damping_ratio, .30681, 6e-6);
-
-  const Rdk10Envelope envelope(p);
-  EXPECT_NEAR(envelope.a2(), 2.23158, 6e-6);
-  EXPECT_NEAR(envelope.a3(), .158105, 6e-7);
-  EXPECT_NEAR(envelope.a1(), .0134502, 6e-8);
-}
-
 TEST(rdk10_parameters, stay_within_their_published_bounds) {
   for (const double score : {-6.0, -3.0, 0.0, 3.0, 6.0}) {
     const Rdk10Parameters p = rdk10_parameters({score, score, score, score, score, score});
@@ -47,8 +24,8 @@ TEST(rdk10_parameters, stay_within_their_published_bounds) {
   }
 }
 
-// P(f' < 0) = (c/b)(1 - exp(-2b)) = 0.71627 with b and c of Rezaeian & Der Kiureghian (2010): the score of zero slope is
-// 0.5718.
+// P(f' < 0) = (c/b)(1 - exp(-2b)) = 0.71627 with b and c of Rezaeian & Der Kiureghian (2010): the
+// score of zero slope is 0.5718.
 TEST(rdk10_parameters, give_zero_slope_at_the_probability_of_negative_slopes) {
   EXPECT_NEAR(rdk10_parameters({0, 0, 0, 0, 0.5718, 0}).frequency_slope_hzps, 0.0, 1e-4);
 }
