@@ -117,6 +117,7 @@ struct Underway {
   LaneHistory history;
   HistoryState state;  ///< between lanes
   std::size_t scene;
+  std::uint32_t implicit_steps = 0;  ///< so far
 };
 
 /// Lanes, and whose they are.
@@ -124,6 +125,7 @@ struct OwnedLanes {
   StepKind kind;
   LaneStates lanes = {};
   std::unique_ptr<Underway> owners[LaneStates::count] = {};
+  std::uint32_t steps[LaneStates::count] = {};  ///< Underway::implicit_steps
   std::vector<std::unique_ptr<Underway>> waiting = {};  ///< for a lane
 
   bool full() const { return lanes.active == (std::uint64_t{1} << LaneStates::count) - 1; }
@@ -135,14 +137,23 @@ struct OwnedLanes {
     LaneStates::store(lanes.motion, lane, next->state.motion);
     lanes.node[lane] = next->state.node;
     lanes.next2[lane] = next->history.next2();
+    steps[lane] = next->implicit_steps;
     lanes.active |= std::uint64_t{1} << lane;
     owners[lane] = std::move(next);
   }
   std::unique_ptr<Underway> take(std::size_t lane) {
     LaneStates::load(lanes.motion, lane, owners[lane]->state.motion);
     owners[lane]->state.node = lanes.node[lane];
+    owners[lane]->implicit_steps = steps[lane];
     lanes.active &= ~(std::uint64_t{1} << lane);
     return std::move(owners[lane]);
+  }
+  /// Counts a step of every lane; the lanes, as bits, that have made more than `most`.
+  std::uint64_t count(std::uint32_t most) {
+    std::uint64_t beyond = 0;
+    for (std::size_t lane = 0; lane < LaneStates::count; ++lane)
+      beyond |= std::uint64_t{++steps[lane] > most} << lane;
+    return beyond & lanes.active;
   }
   /// Fills the lanes; where nobody waits, moves the last to the first, so that no SIMD vector is
   /// run for one of them.
@@ -214,6 +225,18 @@ class Pool {
       next->state.motion.forced = 1.0;
       other.waiting.push_back(std::move(next));
     });
+    if (owned.kind == StepKind::implicit) {
+      for_each(owned.count(most_implicit_steps()), [&](std::size_t lane) {
+        --underway_;
+        state_.by_reference(batch_, owned.take(lane)->scene);
+      });
+    }
+  }
+
+  /// Of a history, which has some hundreds: more are steps that a load near to friction makes
+  /// shorter and shorter.
+  std::uint32_t most_implicit_steps() const {
+    return 20000 + 2 * static_cast<std::uint32_t>(state_.nodes.end);
   }
 
   template <class What>
