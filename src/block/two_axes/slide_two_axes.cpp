@@ -125,7 +125,7 @@ struct OwnedLanes {
   StepKind kind;
   LaneStates lanes = {};
   std::unique_ptr<Underway> owners[LaneStates::count] = {};
-  std::uint32_t steps[LaneStates::count] = {};  ///< Underway::implicit_steps
+  std::uint32_t steps[LaneStates::count] = {};          ///< Underway::implicit_steps
   std::vector<std::unique_ptr<Underway>> waiting = {};  ///< for a lane
 
   bool full() const { return lanes.active == (std::uint64_t{1} << LaneStates::count) - 1; }

@@ -44,6 +44,27 @@ struct Pair {
   }
 };
 
+// Of study 02: an implicit step of the lanes became shorter and shorter, for minutes. They are for
+// the scalar scheme after some ten thousand steps.
+TEST(two_axes_recorded, a_history_whose_steps_become_shorter_and_shorter_is_the_scalar_one) {
+  if (!Pair::exists()) GTEST_SKIP() << recorded() << " has no fema_p695_far_field";
+  const Pair motion("RSN1602_DUZCE_BOL090.AT2", "RSN1602_DUZCE_BOL000.AT2");
+  const BuildingGround ground = motion.ground();
+  const Oscillator axis{0.2775096305878833, 0.05};
+  for (const double factor : {1.763596354046663, 1.7635969199555113}) {
+    const TwoAxisScene scene{{.horizontal = {axis, axis}, .yielding = {}, .mass_ratio = 0.05},
+                             {{0.53521791929470863, 0.53521791929470863}, 1.19 * rad_per_deg, 0.0},
+                             {{factor, factor}, 0.0}};
+    TwoAxisPeak peak;
+    slide_two_axes(ground, {&scene, 1}, {&peak, 1});
+    const BuildingSlip exact =
+        slide_on_building(ground, scene.factors, scene.building, scene.block, 1e-9);
+    const double peak_m = exact.slip.peak_displacement_m;
+    EXPECT_GT(peak_m, 0.2);
+    EXPECT_NEAR(peak.peak_displacement_m, peak_m, 1e-5 * peak_m);
+  }
+}
+
 // RSN 68, T 1 s, m/M 0.05, mu 0.1 by 0.08: 5e-6 off at 1e-6, 1e-7 and 1e-8, because a block that
 // the load moved on was taken to stop, at 3 um/s.
 TEST(two_axes_recorded, is_the_independent_solver_where_the_load_is_near_friction) {
