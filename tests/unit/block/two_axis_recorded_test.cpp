@@ -44,24 +44,34 @@ struct Pair {
   }
 };
 
-// Of study 02: an implicit step of the lanes became shorter and shorter, for minutes. They are for
-// the scalar scheme after some ten thousand steps.
+// Histories of study 02, with the vertical: an implicit step of the lanes became shorter and
+// shorter, for seconds to minutes. After some ten thousand steps they are for the scalar scheme.
 TEST(two_axes_recorded, a_history_whose_steps_become_shorter_and_shorter_is_the_scalar_one) {
   if (!Pair::exists()) GTEST_SKIP() << recorded() << " has no fema_p695_far_field";
-  const Pair motion("RSN1602_DUZCE_BOL090.AT2", "RSN1602_DUZCE_BOL000.AT2");
-  const BuildingGround ground = motion.ground();
-  const Oscillator axis{0.2775096305878833, 0.05};
-  for (const double factor : {1.763596354046663, 1.7635969199555113}) {
+  struct Case {
+    const char *first, *second, *up;
+    double period_s, friction, factor;
+  };
+  for (const Case& c :
+       {Case{"RSN1602_DUZCE_BOL090.AT2", "RSN1602_DUZCE_BOL000.AT2", "RSN1602_DUZCE_BOL-UP.AT2",
+             0.2775096305878833, 0.53521791929470863, 1.763596354046663},
+        Case{"RSN68_SFERN_PEL090.AT2", "RSN68_SFERN_PEL180.AT2", "RSN68_SFERN_PEL-UP.AT2",
+             1.2759128766832872, 0.4, 1.5478263593995409}}) {
+    const Pair motion(c.first, c.second);
+    const auto up = read_record(recorded() / "fema_p695_far_field" / c.up);
+    BuildingGround ground = motion.ground();
+    ground.vertical = std::make_shared<MotionTable>(
+        tabulate_rigid(std::make_shared<GroundTable>(motion.dt_s, up.acceleration_mps2)));
+    const Oscillator axis{c.period_s, 0.05};
     const TwoAxisScene scene{{.horizontal = {axis, axis}, .yielding = {}, .mass_ratio = 0.05},
-                             {{0.53521791929470863, 0.53521791929470863}, 1.19 * rad_per_deg, 0.0},
-                             {{factor, factor}, 0.0}};
+                             {{c.friction, c.friction}, 1.19 * rad_per_deg, 0.0},
+                             {{c.factor, c.factor}, c.factor}};
     TwoAxisPeak peak;
     slide_two_axes(ground, {&scene, 1}, {&peak, 1});
-    const BuildingSlip exact =
-        slide_on_building(ground, scene.factors, scene.building, scene.block, 1e-9);
-    const double peak_m = exact.slip.peak_displacement_m;
-    EXPECT_GT(peak_m, 0.2);
-    EXPECT_NEAR(peak.peak_displacement_m, peak_m, 1e-5 * peak_m);
+    const double scalar_m = slide_on_building(ground, scene.factors, scene.building, scene.block)
+                                .slip.peak_displacement_m;
+    EXPECT_GT(scalar_m, 0.05);
+    EXPECT_EQ(peak.peak_displacement_m, scalar_m);
   }
 }
 
