@@ -37,6 +37,9 @@ long number(const char* name) {
 /// No more address space than the process has now, but for its stack, and nothing large of that
 /// free.
 void end_memory() {
+  static bool has_ended = false;
+  if (has_ended) return;
+  has_ended = true;
   char pages[32] = {};
   FILE* statm = fopen("/proc/self/statm", "r");
   if (statm == nullptr || fgets(pages, sizeof pages, statm) == nullptr) abort();
