@@ -153,7 +153,7 @@ struct OwnedLanes {
     std::uint64_t beyond = 0;
     for (std::size_t lane = 0; lane < LaneStates::count; ++lane)
       beyond |= std::uint64_t{++steps[lane] > most} << lane;
-    return beyond & lanes.active;
+    return beyond;
   }
   /// Fills the lanes; where nobody waits, moves the last to the first, so that no SIMD vector is
   /// run for one of them.
@@ -207,6 +207,8 @@ class Pool {
                             state_.ground.vertical != nullptr};
     LaneStates& lanes = owned.lanes;
     const Stepped stepped = block_detail::two_axes::step(lanes, ground, roof_, owned.kind);
+    const std::uint64_t too_long =
+        owned.kind == StepKind::implicit ? owned.count(most_implicit_steps()) : 0;
     for_each(stepped.lifted, [&](std::size_t lane) { owned.owners[lane]->history.lifted(); });
     for_each(stepped.passed, [&](std::size_t lane) {
       LaneHistory& history = owned.owners[lane]->history;
@@ -225,12 +227,8 @@ class Pool {
       next->state.motion.forced = 1.0;
       other.waiting.push_back(std::move(next));
     });
-    if (owned.kind == StepKind::implicit) {
-      for_each(owned.count(most_implicit_steps()), [&](std::size_t lane) {
-        --underway_;
-        state_.by_reference(batch_, owned.take(lane)->scene);
-      });
-    }
+    for_each(too_long & lanes.active,
+             [&](std::size_t lane) { leave_to_reference(owned.take(lane)); });
   }
 
   /// Of a history, which has some hundreds: more are steps that a load near to friction makes
@@ -248,12 +246,18 @@ class Pool {
   void go_on(std::unique_ptr<Underway> next,
              LaneHistory::Next (LaneHistory::*to_next)(HistoryState&)) {
     const LaneHistory::Next found = (next->history.*to_next)(next->state);
+    const bool is_too_long = next->implicit_steps > most_implicit_steps();
+    if (found == LaneHistory::Next::unsupported ||
+        (found == LaneHistory::Next::slides && is_too_long))
+      return leave_to_reference(std::move(next));
     if (found == LaneHistory::Next::slides) return implicit_.waiting.push_back(std::move(next));
     --underway_;
-    if (found == LaneHistory::Next::finished)
-      batch_.peaks[next->scene] = next->history.result(next->state);
-    else
-      state_.by_reference(batch_, next->scene);
+    batch_.peaks[next->scene] = next->history.result(next->state);
+  }
+
+  void leave_to_reference(std::unique_ptr<Underway> next) {
+    --underway_;
+    state_.by_reference(batch_, next->scene);
   }
 
   State& state_;

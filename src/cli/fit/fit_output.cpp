@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "finding.hpp"
+#include "glissade/core/finite.hpp"
 
 namespace glissade::cli {
 namespace {
@@ -41,8 +42,7 @@ std::vector<Finding> findings_of(const FitSummary& f) {
   const bool is_known = has_floor || !std::isnan(f.curve.median);
   return {{"median", "median", f.curve.median, f.median_interval},
           {"log_std", "log_std", f.curve.log_std, f.log_std_interval},
-          {"floor", has_floor ? "floor" : "", is_known ? f.curve.floor : std::nan(""),
-           f.floor_interval},
+          {"floor", has_floor ? "floor" : "", is_known ? f.curve.floor : nan, f.floor_interval},
           {"p50", has_floor ? "50 % of all at" : "", f.curve.intensity_at(0.5)},
           {"log_likelihood", "log likelihood", f.log_likelihood}};
 }

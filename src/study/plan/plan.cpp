@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "glissade/study/plan/plan.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -11,8 +9,6 @@
 #include <numeric>
 
 #include "glissade/core/contract.hpp"
-#include "glissade/core/error.hpp"
-#include "glissade/core/finite.hpp"
 #include "glissade/core/hash.hpp"
 #include "plan/keep_records.hpp"
 #include "plan/plan_check.hpp"
@@ -108,22 +104,6 @@ void cut_units(Plan& plan) {
     begin = end;
   }
   plan.units = std::move(units);
-}
-
-/// Kernels take factors up to `largest_acceleration`; long before, the record is no ground motion.
-void check_factors(const Plan& plan) {
-  const IntensityConfig& intensity = plan.config.intensity;
-  const double highest = intensity.measure.factor_of_level(intensity.levels.back());
-  ProblemList problems;
-  for (std::size_t i = 0; i < plan.records.size(); ++i) {
-    const double factor = highest * plan.factor_at_unit_level[i];
-    if (factor <= largest_acceleration) continue;
-    problems.add({plan.config.suite_files[plan.records[i].suite].string(),
-                  fmt::format("record {} would be multiplied by {:.3g} at the highest level",
-                              plan.motion(i).id, factor),
-                  "give lower levels, or leave the record out ([suite] records)", ""});
-  }
-  problems.throw_if_any();
 }
 
 /// The factor on each record at level 1.

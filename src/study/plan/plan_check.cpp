@@ -10,6 +10,7 @@
 
 #include "glissade/block/coupled.hpp"
 #include "glissade/core/error.hpp"
+#include "glissade/core/finite.hpp"
 #include "glissade/core/units.hpp"
 #include "glissade/motion/intensity.hpp"
 #include "glissade/motion/suite_scaling.hpp"
@@ -246,6 +247,21 @@ void check_fit(const StudyConfig& config, const std::vector<Suite>& suites) {
     if (suites[i].motions.empty())
       problems.add({where, "the suite has no motions", "add at least one record", ""});
     for (const Motion& motion : suites[i].motions) check_motion(config, motion, where, problems);
+  }
+  problems.throw_if_any();
+}
+
+void check_factors(const Plan& plan) {
+  const IntensityConfig& intensity = plan.config.intensity;
+  const double highest = intensity.measure.factor_of_level(intensity.levels.back());
+  ProblemList problems;
+  for (std::size_t i = 0; i < plan.records.size(); ++i) {
+    const double factor = highest * plan.factor_at_unit_level[i];
+    if (factor <= largest_acceleration) continue;
+    problems.add({plan.config.suite_files[plan.records[i].suite].string(),
+                  fmt::format("record {} would be multiplied by {:.3g} at the highest level",
+                              plan.motion(i).id, factor),
+                  "give lower levels, or leave the record out ([suite] records)", ""});
   }
   problems.throw_if_any();
 }

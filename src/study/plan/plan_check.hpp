@@ -30,6 +30,10 @@ std::vector<std::string> copied_records(const Plan& plan, std::optional<std::siz
 /// building period above 2 s; or of a suite with copies of a record.
 void check_clearance(const Plan& plan);
 
+/// Throws InputError where a record would be multiplied by more than the kernels take
+/// (largest_acceleration): it is then no ground motion, or the highest level no intensity.
+void check_factors(const Plan& plan);
+
 /// Throws InputError where a case's friction, slope and mass ratio have no solution.
 void check_cases(const Plan& plan);
 

@@ -126,10 +126,20 @@ Figure fragility_figure(const Results& results, const RunResults& run) {
   return figure;
 }
 
+/// The coloured lines of the IDA figure.
+struct Percentile {
+  double share;
+  Role role;
+  const char* label;
+};
+constexpr std::array percentiles{Percentile{0.16, Role::p16, "16th percentile"},
+                                 Percentile{0.50, Role::median, "median"},
+                                 Percentile{0.84, Role::p84, "84th percentile"}};
+
 /// Slips in plan at a level.
 struct LevelSlips {
-  std::vector<double> record_medians_m;   // over the samples
-  std::array<double, 3> percentiles_m{};  // 16th, 50th and 84th, of all histories
+  std::vector<double> record_medians_m;                    // over the samples
+  std::array<double, percentiles.size()> percentiles_m{};  // of all histories
 };
 
 LevelSlips slips_at(const HistoryTable& histories, CaseSlice cases, std::size_t level) {
@@ -145,7 +155,7 @@ LevelSlips slips_at(const HistoryTable& histories, CaseSlice cases, std::size_t 
     found.record_medians_m.push_back(quantile_of(std::move(slips), 0.5));
   }
   for (std::size_t k = 0; k < found.percentiles_m.size(); ++k)
-    found.percentiles_m[k] = quantile_of(all, std::array{0.16, 0.50, 0.84}[k]);
+    found.percentiles_m[k] = quantile_of(all, percentiles[k].share);
   return found;
 }
 
@@ -171,15 +181,14 @@ Figure ida_figure(const Results& results, const RunResults& run) {
   }
   Panel panel{"", {}, {results.intensity_label, 0.0, results.levels.back()}, {records}};
   double widest_m = results.thresholds_m.empty() ? 0.0 : results.thresholds_m.front();
-  const std::array<Role, 3> roles = {Role::p16, Role::median, Role::p84};
-  const std::array<const char*, 3> labels = {"16th percentile", "median", "84th percentile"};
-  for (std::size_t k = 0; k < roles.size(); ++k) {
-    DataSeries series{DataSeries::Kind::line_and_points, look(roles[k]), labels[k], labels[k]};
+  for (std::size_t k = 0; k < percentiles.size(); ++k) {
+    const Percentile& p = percentiles[k];
+    DataSeries series{DataSeries::Kind::line_and_points, look(p.role), p.label, p.label};
     series.y = results.levels;
     for (const LevelSlips& level : slips) {
       series.x.push_back(level.percentiles_m[k]);
       // Infinite: not run.
-      if (std::isfinite(series.x.back()) && roles[k] != Role::p16)
+      if (std::isfinite(series.x.back()) && p.share >= 0.5)
         widest_m = std::max(widest_m, series.x.back());
     }
     panel.series.push_back(std::move(series));
