@@ -2,7 +2,8 @@
 #include "glissade/core/random.hpp"
 
 #include <algorithm>
-#include <boost/math/distributions/normal.hpp>
+
+#include "glissade/core/normal.hpp"
 
 namespace glissade {
 
@@ -38,7 +39,7 @@ double keyed_uniform(std::uint64_t seed, RandomPurpose purpose, std::uint64_t it
 
 double keyed_normal(std::uint64_t seed, RandomPurpose purpose, std::uint64_t item,
                     std::uint32_t index) {
-  return boost::math::quantile(boost::math::normal(), keyed_uniform(seed, purpose, item, index));
+  return normal_quantile(keyed_uniform(seed, purpose, item, index));
 }
 
 }  // namespace glissade

@@ -2,7 +2,6 @@
 #include "glissade/sampling/distribution.hpp"
 
 #include <algorithm>
-#include <boost/math/distributions/normal.hpp>
 #include <boost/math/distributions/triangular.hpp>
 #include <boost/math/quadrature/gauss_kronrod.hpp>
 #include <cmath>
@@ -10,20 +9,18 @@
 
 #include "glissade/core/contract.hpp"
 #include "glissade/core/finite.hpp"
+#include "glissade/core/normal.hpp"
 
 namespace glissade {
 namespace {
-
-const boost::math::normal standard_normal;
 
 /// Phi^-1 of a probability below; the probability above is given too: the smaller is exact.
 struct Share {
   double below, above;
 };
 double normal_quantile(Share share) {
-  return share.below < share.above
-             ? boost::math::quantile(standard_normal, share.below)
-             : boost::math::quantile(boost::math::complement(standard_normal, share.above));
+  return share.below < share.above ? glissade::normal_quantile(share.below)
+                                   : -glissade::normal_quantile(share.above);
 }
 
 boost::math::triangular boost_triangular(const Triangular& d) { return {d.min, d.mode, d.max}; }
@@ -55,10 +52,8 @@ struct Quantile {
     // Probabilities of the parent below and above the value: sums of positive terms, so exact in
     // both tails.
     const double a = (d.min - d.mean) / d.std, b = (d.max - d.mean) / d.std;
-    const double below_min = cdf(standard_normal, a),
-                 above_max = cdf(complement(standard_normal, b));
-    const double inside = a > 0 ? cdf(complement(standard_normal, a)) - above_max
-                                : cdf(standard_normal, b) - below_min;
+    const double below_min = normal_cdf(a), above_max = normal_cdf(-b);
+    const double inside = a > 0 ? normal_cdf(-a) - above_max : normal_cdf(b) - below_min;
     const double z = normal_quantile({below_min + u * inside, above_max + (1 - u) * inside});
     return std::clamp(d.mean + d.std * z, d.min, d.max);
   }

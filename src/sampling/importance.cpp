@@ -2,21 +2,20 @@
 #include "glissade/sampling/importance.hpp"
 
 #include <algorithm>
-#include <boost/math/distributions/normal.hpp>
-#include <boost/math/distributions/students_t.hpp>
 #include <cmath>
 #include <limits>
 
 #include "glissade/core/contract.hpp"
+#include "glissade/core/distributions.hpp"
+#include "glissade/core/normal.hpp"
 
 namespace glissade {
 
 WidenedCoordinate widened_coordinate(double u, double widening) {
   GLISSADE_EXPECTS(u > 0.0 && u < 1.0 && widening >= 1.0);
-  const boost::math::normal standard;
-  const double before = quantile(standard, u), z = widening * before;
+  const double before = normal_quantile(u), z = widening * before;
   const double below_one = 1.0 - std::numeric_limits<double>::epsilon();
-  return {std::clamp(cdf(standard, z), std::numeric_limits<double>::min(), below_one),
+  return {std::clamp(normal_cdf(z), std::numeric_limits<double>::min(), below_one),
           widening * std::exp(-0.5 * (z * z - before * before))};
 }
 
@@ -42,7 +41,7 @@ WeightedProbability weighted_probability(const std::vector<double>& share_of,
   result.standard_error = std::sqrt(spread / (count * (count - 1.0)));
   if (sum > 0.0) result.effective_samples = sum * sum / sum_of_squares;
   if (result.effective_samples >= least_effective_samples) {
-    const double t = quantile(boost::math::students_t(count - 1.0), 0.975),
+    const double t = student_quantile(count - 1.0, 0.975),
                  factor = std::exp(t * result.standard_error / result.probability);
     result.low = result.probability / factor;
     result.high = result.probability * factor;

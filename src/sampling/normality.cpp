@@ -2,7 +2,6 @@
 #include "glissade/sampling/normality.hpp"
 
 #include <algorithm>
-#include <boost/math/distributions/normal.hpp>
 #include <cmath>
 #include <initializer_list>
 #include <iterator>
@@ -15,8 +14,6 @@
 namespace glissade {
 namespace {
 
-const boost::math::normal standard_normal;
-
 double polynomial(std::initializer_list<double> rising_powers, double x) {
   double sum = 0.0;
   for (auto c = std::rbegin(rising_powers); c != std::rend(rising_powers); ++c) sum = sum * x + *c;
@@ -28,7 +25,7 @@ std::vector<double> normal_scores(std::size_t n) {
   std::vector<double> scores(n);
   for (std::size_t i = 0; i < n; ++i) {
     const double share = (static_cast<double>(i) + 0.625) / (static_cast<double>(n) + 0.25);
-    scores[i] = boost::math::quantile(standard_normal, share);
+    scores[i] = normal_quantile(share);
   }
   return scores;
 }

@@ -2,12 +2,12 @@
 #include "glissade/sampling/sobol_indices.hpp"
 
 #include <algorithm>
-#include <boost/math/distributions/students_t.hpp>
 #include <cmath>
 #include <map>
 #include <numeric>
 
 #include "glissade/core/contract.hpp"
+#include "glissade/core/distributions.hpp"
 #include "glissade/core/finite.hpp"
 #include "glissade/core/jackknife.hpp"
 
@@ -223,7 +223,7 @@ VarianceShare share(double value, const IndexError& spread) {
   const double freedom = variance * variance /
                          (spread.of_records * spread.of_records / (spread.records - 1.0) +
                           spread.of_samples * spread.of_samples / (spread.groups - 1.0));
-  const double half = std::sqrt(variance) * quantile(boost::math::students_t(freedom), 0.975);
+  const double half = std::sqrt(variance) * student_quantile(freedom, 0.975);
   return {value, std::clamp(value - half, 0.0, 1.0), std::clamp(value + half, 0.0, 1.0)};
 }
 

@@ -2,9 +2,9 @@
 #include "by_record/line_draws.hpp"
 
 #include <algorithm>
-#include <boost/math/distributions/chi_squared.hpp>
 #include <cmath>
 
+#include "glissade/core/distributions.hpp"
 #include "glissade/core/normal.hpp"
 
 namespace glissade::fragility {
@@ -29,11 +29,10 @@ const std::vector<StandardDraw>& standard_draws(double records) {
   static thread_local double made_for = 0.0;
   static thread_local std::vector<StandardDraw> made;
   if (made_for == records) return made;
-  const boost::math::chi_squared chi_squared(records - 1.0);
   made_for = 0.0;
   made.clear();
   for (int i = 0; i < draws; ++i) {
-    made.push_back({quantile(chi_squared, even(i, 0.7548776662466927)) / records,
+    made.push_back({chi_squared_quantile(records - 1.0, even(i, 0.7548776662466927)) / records,
                     normal_quantile(even(i, 0.5698402909980532))});
   }
   made_for = records;

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
-#include <boost/math/distributions/students_t.hpp>
 #include <cmath>
 #include <numeric>
 
 #include "by_record/resampling.hpp"
 #include "glissade/core/contract.hpp"
+#include "glissade/core/distributions.hpp"
 #include "glissade/core/finite.hpp"
 #include "glissade/fragility/bootstrap.hpp"
 
@@ -34,7 +34,7 @@ double signed_t(EstimateWithError replicate, double center) {
 /// What lognormal values of a variance s^2 of their logarithms add to ln of their mean on either
 /// side (Olsson 2005, J. Statistics Education 13(1), for Cox's interval).
 double cox_reach(double variance, double n, double level) {
-  const double t = quantile(boost::math::students_t(n - 1), 0.5 + 0.5 * level);
+  const double t = student_quantile(n - 1, 0.5 + 0.5 * level);
   return t * std::sqrt(variance / n + variance * variance / (2 * (n - 1)));
 }
 

@@ -3,13 +3,13 @@
 
 #include <Eigen/Dense>
 #include <algorithm>
-#include <boost/math/distributions/students_t.hpp>
 #include <cmath>
 #include <limits>
 #include <numbers>
 
 #include "by_record/resampling.hpp"
 #include "glissade/core/contract.hpp"
+#include "glissade/core/distributions.hpp"
 #include "glissade/core/finite.hpp"
 #include "glissade/core/normal.hpp"
 #include "lognormal/likelihood.hpp"
@@ -110,8 +110,7 @@ SlopeTest test_slope(const RecordRegression& data, const std::vector<double>& co
   const double n = static_cast<double>(data.records());
   const double ratio = 2.0 * (fit.log_likelihood - fit_records(data).log_likelihood);
   const double t = std::sqrt(std::max(0.0, freedom * std::expm1(ratio / n)));
-  const boost::math::students_t student(freedom);
-  return {fit.coefficients.back(), 2.0 * cdf(complement(student, t))};
+  return {fit.coefficients.back(), 2.0 * student_upper_tail(freedom, t)};
 }
 
 std::vector<RecordDispersion> record_dispersions(const std::vector<RecordRegression>& regressions,

@@ -2,11 +2,10 @@
 #include "by_record/resampling.hpp"
 
 #include <algorithm>
-#include <boost/math/distributions/chi_squared.hpp>
-#include <boost/math/distributions/students_t.hpp>
 #include <cmath>
 
 #include "glissade/core/contract.hpp"
+#include "glissade/core/distributions.hpp"
 #include "glissade/core/finite.hpp"
 #include "glissade/core/normal.hpp"
 #include "glissade/core/random.hpp"
@@ -45,8 +44,7 @@ Interval percentile_interval(std::vector<double> values, double tail) {
 
 double expanded_tail(std::size_t records, double level) {
   const double n = static_cast<double>(records);
-  const boost::math::students_t student(n - 1);
-  return normal_cdf(-std::sqrt(n / (n - 1)) * quantile(student, 0.5 + 0.5 * level));
+  return normal_cdf(-std::sqrt(n / (n - 1)) * student_quantile(n - 1, 0.5 + 0.5 * level));
 }
 
 Interval t_interval(EstimateWithError estimate, const std::vector<EstimateWithError>& replicates,
@@ -64,10 +62,11 @@ Interval log_std_interval(EstimateWithError log_log_std,
   const auto [value, error] = log_log_std;
   const Interval by_t = t_interval(log_log_std, replicates, 0.5 - 0.5 * level);
   const double freedom = std::min(0.5 / (error * error), static_cast<double>(records) - 1);
-  const boost::math::chi_squared chi_squared(freedom);
-  const double lowest = value + 0.5 * std::log(freedom / quantile(chi_squared, 0.5 + 0.5 * level));
-  const double highest = value + 0.5 * std::log(freedom / quantile(chi_squared, 0.5 - 0.5 * level));
-  return {std::max(by_t.low, lowest), std::min(by_t.high, highest)};
+  const auto by_chi_squared = [&](double probability) {
+    return value + 0.5 * std::log(freedom / chi_squared_quantile(freedom, probability));
+  };
+  return {std::max(by_t.low, by_chi_squared(0.5 + 0.5 * level)),
+          std::min(by_t.high, by_chi_squared(0.5 - 0.5 * level))};
 }
 
 }  // namespace fragility

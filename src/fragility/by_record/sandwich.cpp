@@ -2,7 +2,8 @@
 #include "by_record/sandwich.hpp"
 
 #include <algorithm>
-#include <boost/math/distributions/students_t.hpp>
+
+#include "glissade/core/distributions.hpp"
 
 namespace glissade::fragility {
 
@@ -18,8 +19,7 @@ double effective_number(const Eigen::VectorXd& weights) {
 }
 
 Interval t_interval(double value, double standard_error, double effective) {
-  const boost::math::students_t student(std::max(1.0, effective - 1));
-  const double reach = quantile(student, 0.975) * standard_error;
+  const double reach = student_quantile(std::max(1.0, effective - 1), 0.975) * standard_error;
   return {value - reach, value + reach};
 }
 

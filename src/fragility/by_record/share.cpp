@@ -2,12 +2,11 @@
 #include "glissade/fragility/share.hpp"
 
 #include <algorithm>
-#include <boost/math/distributions/binomial.hpp>
-#include <boost/math/distributions/students_t.hpp>
 #include <cmath>
 #include <numeric>
 
 #include "glissade/core/contract.hpp"
+#include "glissade/core/distributions.hpp"
 #include "glissade/core/normal.hpp"
 
 namespace glissade {
@@ -26,8 +25,7 @@ double contributing(const std::vector<double>& shares, double (*of)(double)) {
 /// How much smaller the standard error's worth in trials is with few degrees of freedom.
 double reduction(double freedom, double level) {
   const double p = 0.5 + 0.5 * level;
-  const double ratio =
-      normal_quantile(p) / quantile(boost::math::students_t(std::max(1.0, freedom)), p);
+  const double ratio = normal_quantile(p) / student_quantile(std::max(1.0, freedom), p);
   return ratio * ratio;
 }
 
@@ -44,8 +42,7 @@ double effective_trials(const std::vector<double>& shares, double mean, double l
 /// The lower end for `successes` of `trials`, which are no whole numbers: with less than one
 /// success that of none.
 double lower_end(double trials, double successes, double tail) {
-  return successes < 1.0 ? 0.0
-                         : boost::math::binomial::find_lower_bound_on_p(trials, successes, tail);
+  return successes < 1.0 ? 0.0 : binomial_lower_end(trials, successes, tail);
 }
 
 }  // namespace

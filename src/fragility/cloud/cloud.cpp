@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <boost/math/distributions/chi_squared.hpp>
-#include <boost/math/distributions/students_t.hpp>
 #include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
 #include <functional>
@@ -9,6 +7,7 @@
 #include "by_record/clusters.hpp"
 #include "by_record/sandwich.hpp"
 #include "cloud/cloud_variance.hpp"
+#include "glissade/core/distributions.hpp"
 #include "glissade/core/normal.hpp"
 #include "glissade/fragility/weighted_fit.hpp"
 #include "lognormal/point_fit.hpp"
@@ -121,7 +120,7 @@ ProfileIntervals any_intervals(const std::vector<CloudPoint>& points, const TwoP
   for (const auto& [intensity, stripe] : at) stripes.push_back(stripe);
   const StripeData data = to_data(stripes);
   const ProbitLine line = to_line(fit.any, data.center);
-  const double t = quantile(boost::math::students_t(std::max(1.0, errors.any_freedom)), 0.975);
+  const double t = student_quantile(std::max(1.0, errors.any_freedom), 0.975);
   const auto with = [&](double design_effect) {
     const double scale = std::pow(normal_quantile(0.975) / t, 2) / std::max(1.0, design_effect);
     return profile_intervals(
@@ -132,9 +131,8 @@ ProfileIntervals any_intervals(const std::vector<CloudPoint>& points, const TwoP
 }
 
 Interval chi_square_interval(double log_std, double freedom) {
-  const boost::math::chi_squared of(freedom);
-  return {log_std * std::sqrt(freedom / quantile(of, 0.975)),
-          log_std * std::sqrt(freedom / quantile(of, 0.025))};
+  return {log_std * std::sqrt(freedom / chi_squared_quantile(freedom, 0.975)),
+          log_std * std::sqrt(freedom / chi_squared_quantile(freedom, 0.025))};
 }
 
 }  // namespace

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cloud/cloud_variance.hpp"
 
-#include <boost/math/distributions/students_t.hpp>
 #include <cmath>
 
 #include "by_record/sandwich.hpp"
+#include "glissade/core/distributions.hpp"
 #include "glissade/core/finite.hpp"
 #include "glissade/core/jackknife.hpp"
 #include "glissade/core/normal.hpp"
@@ -120,8 +120,7 @@ class CloudRecords {
   double log_std_freedom(double of_records) const {
     const double worth = 0.5 / log_std_variance();
     if (std::isnan(worth)) return of_records;
-    const double ratio =
-        normal_quantile(0.975) / quantile(boost::math::students_t(of_records), 0.975);
+    const double ratio = normal_quantile(0.975) / student_quantile(of_records, 0.975);
     const double freedom = std::max(ratio * ratio * worth, std::min(of_records, worth));
     return std::max(1.0, std::min(freedom, slips_ - 2));
   }

@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <boost/math/distributions/binomial.hpp>
-#include <boost/math/distributions/chi_squared.hpp>
-#include <boost/math/distributions/students_t.hpp>
 #include <cmath>
 #include <numbers>
 
+#include "glissade/core/distributions.hpp"
 #include "glissade/fragility/fit.hpp"
 #include "lognormal/likelihood.hpp"
 #include "lognormal/point_fit.hpp"
@@ -17,12 +15,11 @@ using namespace fragility;
 
 /// Student t for ln median, chi-square for log_std: exact for a lognormal sample of n.
 ProfileIntervals sample_intervals(const FragilityCurve& curve, double n) {
-  const double t = quantile(boost::math::students_t(n - 1), 0.975);
+  const double t = student_quantile(n - 1, 0.975);
   const double factor = std::exp(t * curve.log_std / std::sqrt(n));
-  const boost::math::chi_squared chi_squared(n - 1);
   return {{curve.median / factor, curve.median * factor},
-          {curve.log_std * std::sqrt((n - 1) / quantile(chi_squared, 0.975)),
-           curve.log_std * std::sqrt((n - 1) / quantile(chi_squared, 0.025))}};
+          {curve.log_std * std::sqrt((n - 1) / chi_squared_quantile(n - 1, 0.975)),
+           curve.log_std * std::sqrt((n - 1) / chi_squared_quantile(n - 1, 0.025))}};
 }
 
 /// The fit of those that need shaking.
@@ -70,9 +67,8 @@ FitSummary fit_capacities(const CapacitySample& sample) {
   const double all = rest + sample.free;
   summary.curve.floor = sample.free / all;
   summary.p50_interval = {};
-  using Binomial = boost::math::binomial;
-  summary.floor_interval = {Binomial::find_lower_bound_on_p(all, sample.free, 0.025),
-                            Binomial::find_upper_bound_on_p(all, sample.free, 0.025)};
+  summary.floor_interval = {binomial_lower_end(all, sample.free, 0.025),
+                            binomial_upper_end(all, sample.free, 0.025)};
   add_sentence(summary.interval_method, "Clopper-Pearson for the floor");
   if (rest > 0) add_sentence(summary.note, note_on_floor);
   return summary;

@@ -2,11 +2,12 @@
 #include "lognormal/profile.hpp"
 
 #include <algorithm>
-#include <boost/math/distributions/chi_squared.hpp>
 #include <boost/math/tools/minima.hpp>
 #include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
 #include <limits>
+
+#include "glissade/core/distributions.hpp"
 
 namespace glissade::fragility {
 namespace {
@@ -49,8 +50,7 @@ ProfileIntervals profile_intervals(const LogLikelihood& log_likelihood, const Pr
                                    double center) {
   // m = ln median - center and s = ln log_std: the line is (-m, 1) exp(-s).
   const double m_hat = -maximum[0] / maximum[1], s_hat = -std::log(maximum[1]);
-  const double floor =
-      log_likelihood(maximum) - 0.5 * boost::math::quantile(boost::math::chi_squared(1), 0.95);
+  const double floor = log_likelihood(maximum) - 0.5 * chi_squared_quantile(1, 0.95);
   const Function above_floor_at_m = [&](double m) {
     return greatest([&](double s) { return log_likelihood(ProbitLine(-m, 1) * std::exp(-s)); },
                     s_hat, 7.0) -

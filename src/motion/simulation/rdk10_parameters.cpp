@@ -3,10 +3,10 @@
 
 #include <boost/math/distributions/beta.hpp>
 #include <boost/math/distributions/gamma.hpp>
-#include <boost/math/distributions/normal.hpp>
 #include <cmath>
 
 #include "glissade/core/contract.hpp"
+#include "glissade/core/normal.hpp"
 
 namespace glissade {
 namespace {
@@ -76,8 +76,7 @@ Rdk10Scores rdk10_score_deviations() {
 std::array<Rdk10Scores, 6> rdk10_score_correlation() { return correlation; }
 
 Rdk10Parameters rdk10_parameters(const Rdk10Scores& scores) {
-  const boost::math::normal standard;
-  const auto probability = [&](std::size_t i) { return cdf(standard, scores[i]); };
+  const auto probability = [&](std::size_t i) { return normal_cdf(scores[i]); };
   return {.arias_g2s = std::exp(-4.8255 + 1.4318 * scores[0]),
           .significant_duration_s = scaled_beta(probability(1), 1.1314, 2.4474, 5.0, 45.0),
           .middle_time_s = scaled_beta(probability(2), 1.5792, 3.6405, 0.5, 40.0),

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <limits>
 
+#include "glissade/core/distributions.hpp"
+
 namespace glissade {
 namespace {
 
@@ -35,6 +37,15 @@ TEST(normal, takes_what_is_infinite_and_hands_nan_on) {
   EXPECT_EQ(normal_quantile(1.0), infinity);
   EXPECT_TRUE(std::isnan(normal_cdf(std::nan(""))));
   EXPECT_TRUE(std::isnan(normal_quantile(std::nan(""))));
+}
+
+// 10 degrees of freedom (t: its closed form); 3 successes of 20 (sums of binomial terms).
+TEST(distributions, agree_with_closed_forms) {
+  EXPECT_NEAR(student_quantile(10, 0.975), 2.2281388519862744, 1e-13);
+  EXPECT_NEAR(student_upper_tail(10, 2.2281388519862744), 0.025, 1e-14);
+  EXPECT_NEAR(chi_squared_quantile(10, 0.95), 18.307038053275146, 1e-12);
+  EXPECT_NEAR(binomial_lower_end(20, 3, 0.025), 0.0320709, 1e-6);
+  EXPECT_NEAR(binomial_upper_end(20, 3, 0.025), 0.3789268, 1e-6);
 }
 
 }  // namespace

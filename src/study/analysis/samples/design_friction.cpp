@@ -2,11 +2,11 @@
 #include "analysis/samples/design_friction.hpp"
 
 #include <algorithm>
-#include <boost/math/distributions/students_t.hpp>
 #include <cmath>
 #include <numeric>
 
 #include "analysis/pooled_level.hpp"
+#include "glissade/core/distributions.hpp"
 #include "glissade/core/finite.hpp"
 #include "glissade/core/jackknife.hpp"
 #include "glissade/fragility/bootstrap.hpp"
@@ -103,8 +103,7 @@ SampleErrors sample_errors(const Results& results, const FrictionPair& pair, std
 Interval with_samples(const Interval& records, double probability, double error,
                       std::size_t groups) {
   if (std::isnan(error)) return records;
-  const boost::math::students_t student(static_cast<double>(groups) - 1.0);
-  const double half = quantile(student, 0.975) * error;
+  const double half = student_quantile(static_cast<double>(groups) - 1.0, 0.975) * error;
   return {std::max(0.0, probability - std::hypot(probability - records.low, half)),
           std::min(1.0, probability + std::hypot(records.high - probability, half))};
 }

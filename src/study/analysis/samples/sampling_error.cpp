@@ -4,11 +4,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <boost/math/distributions/students_t.hpp>
 #include <cmath>
 #include <limits>
 #include <numeric>
 
+#include "glissade/core/distributions.hpp"
 #include "glissade/fragility/fit.hpp"
 #include "glissade/study/results.hpp"
 
@@ -68,8 +68,7 @@ double BlockMedians::standard_error(std::size_t row) const {
 
 double half_width(double standard_error, std::uint64_t blocks) {
   if (std::isnan(standard_error)) return std::numeric_limits<double>::infinity();
-  const boost::math::students_t student(static_cast<double>(blocks) - 1.0);
-  return quantile(student, 0.975) * standard_error;
+  return student_quantile(static_cast<double>(blocks) - 1.0, 0.975) * standard_error;
 }
 
 std::vector<SamplingErrorRow> SamplingErrorAnalysis::find(const StudyConfig& config,
