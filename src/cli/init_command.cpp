@@ -8,6 +8,7 @@
 #include "commands.hpp"
 #include "glissade/core/error.hpp"
 #include "glissade/core/file.hpp"
+#include "glissade/core/output_file.hpp"
 #include "glissade/core/wrap.hpp"
 #include "glissade/io/example_file.hpp"
 #include "glissade/io/project_file.hpp"
@@ -116,20 +117,19 @@ std::string option_of(const std::string& what) {
 
 /// Written only if it is read without an error.
 void write_checked(const InitOptions& o, const std::string& text) {
-  const fs::path trial = o.file + ".trial";
-  write_text_file(trial, text);
-  try {
-    if (o.is_project())
-      static_cast<void>(read_project(trial));
-    else
-      static_cast<void>(read_study(trial));
-  } catch (const InputError& error) {
-    fs::remove(trial);
-    std::vector<Problem> problems = error.problems();
-    for (Problem& problem : problems) problem.where = option_of(problem.what);
-    throw InputError(problems);
-  }
-  fs::rename(trial, o.file);
+  write_file(o.file, [&](OutputFile& file, const fs::path& partial) {
+    file.write(text);
+    try {
+      if (o.is_project())
+        static_cast<void>(read_project(partial));
+      else
+        static_cast<void>(read_study(partial));
+    } catch (const InputError& error) {
+      std::vector<Problem> problems = error.problems();
+      for (Problem& problem : problems) problem.where = option_of(problem.what);
+      throw InputError(problems);
+    }
+  });
 }
 
 void init(InitOptions o) {

@@ -2,31 +2,20 @@
 #include "glissade/core/file.hpp"
 
 #include <fcntl.h>
-#include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
+#include <span>
 #include <system_error>
 
 #include "glissade/core/error.hpp"
+#include "glissade/core/input_file.hpp"
 #include "glissade/core/output_file.hpp"
 
 namespace glissade {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// True of /dev/stdout, /dev/fd/3 and the like: links that the system keeps below /proc to what a
-/// process has open.
-bool leads_to_an_open_file(fs::path path) {
-  std::error_code ignored;
-  while (fs::is_symlink(path, ignored)) {
-    const fs::path folder = fs::absolute(path, ignored).parent_path();
-    if (fs::canonical(folder, ignored).string().starts_with("/proc/")) return true;
-    path = folder / fs::read_symlink(path, ignored);
-  }
-  return false;
-}
 
 /// Devices, pipes and sockets, and /dev/stdout even where the shell points it at a regular file.
 bool must_be_written_directly(const fs::path& path, const fs::file_status& status) {
@@ -53,8 +42,7 @@ fs::path write_new_beside(const fs::path& path, const WriteFile& write) {
   constexpr int attempts = 100;
   for (int attempt = 0;; ++attempt) {
     fs::path partial = partial_name(path, attempt);
-    const int fd =
-        ::open(partial.c_str(), O_WRONLY | O_APPEND | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+    const int fd = ::open(partial.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
     if (fd < 0 && errno == EEXIST && attempt + 1 < attempts) continue;
     OutputFile file(fd, path);
     try {
@@ -79,48 +67,6 @@ void write_and_rename(const fs::path& path, const WriteFile& write) {
   sync_folder(path.parent_path());
 }
 
-/// A regular file to read, or a pipe that is open already (/dev/stdin, <(command) of a shell).
-class InputFile {
- public:
-  /// Does not wait: a named pipe that nobody writes to would else never be open.
-  explicit InputFile(const fs::path& path)
-      : path_(path), file_{::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC)} {
-    struct stat status {};
-    if (file_.fd < 0 || ::fstat(file_.fd, &status) != 0) fail(errno);
-    if (S_ISDIR(status.st_mode)) fail(EISDIR);
-    if (S_ISREG(status.st_mode)) return;
-    if (!S_ISFIFO(status.st_mode) || !leads_to_an_open_file(path)) {
-      throw InputError({path.string(), "is no regular file but a pipe, a device or a socket",
-                        "give the path of a regular file", ""});
-    }
-    if (::fcntl(file_.fd, F_SETFL, 0) != 0) fail(errno);  // its reads wait for what is written
-  }
-  /// 0: the end.
-  std::size_t read(char* into, std::size_t most_bytes) const {
-    for (;;) {
-      const ssize_t bytes = ::read(file_.fd, into, most_bytes);
-      if (bytes >= 0) return static_cast<std::size_t>(bytes);
-      if (errno != EINTR) fail(errno);
-    }
-  }
-
- private:
-  [[noreturn]] void fail(int error_number) const {
-    throw InputError({path_.string(),
-                      "cannot be read: " + std::generic_category().message(error_number),
-                      "check that the file exists and that you may read it", ""});
-  }
-
-  struct Descriptor {
-    ~Descriptor() {
-      if (fd >= 0) ::close(fd);
-    }
-    const int fd;
-  };
-  const fs::path& path_;
-  const Descriptor file_;
-};
-
 }  // namespace
 
 std::string read_text_file(const fs::path& path) {
@@ -131,7 +77,7 @@ std::string read_text_file(const fs::path& path) {
   while (text.size() <= most_bytes) {
     const std::size_t size = text.size();
     text.resize(size + part);
-    text.resize(size + file.read(text.data() + size, part));
+    text.resize(size + file.read(std::span(text).subspan(size)));
     if (text.size() == size) return text;
     part = block_bytes;
   }
@@ -140,9 +86,11 @@ std::string read_text_file(const fs::path& path) {
 
 void sync_folder(const fs::path& folder) {
   const int fd = ::open(folder.empty() ? "." : folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-  if (fd < 0) return;
-  ::fsync(fd);  // not every file system can: then it needs no flush
-  ::close(fd);
+  if (fd < 0 && errno == EACCES) return;  // it may be written to and not read
+  const int failure = fd >= 0 && ::fsync(fd) == 0 ? 0 : errno;
+  if (fd >= 0) ::close(fd);
+  if (failure != 0 && failure != EINVAL && failure != ENOTSUP)  // some file systems need no flush
+    throw_io_error(folder, "cannot be flushed to the disk", failure);
 }
 
 void create_text_file(const fs::path& path, std::string_view text) {

@@ -2,8 +2,6 @@
 #include "glissade/core/output_file.hpp"
 
 #include <fcntl.h>
-#include <sys/resource.h>
-#include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -14,53 +12,79 @@
 namespace glissade {
 
 void throw_io_error(const std::filesystem::path& path, const std::string& doing, int error_number) {
-  const char* suggestion = error_number == ENOSPC || error_number == EDQUOT || error_number == EFBIG
-                               ? "make room on the disk or write elsewhere"
-                               : "check that the path is right and that you may write there";
+  const char* suggestion = "check that the path is right and that you may write there";
+  if (error_number == ENOSPC || error_number == EDQUOT || error_number == EFBIG)
+    suggestion = "make room on the disk or write elsewhere";
+  if (error_number == EIO) suggestion = "check the disk, or write elsewhere";
   throw InputError({path.string(), doing + ": " + std::generic_category().message(error_number),
                     suggestion, ""});
 }
 
+namespace {
+
+/// Calls until all bytes are through: `call` takes how many are, and gives how many it adds; 0
+/// ends.
+template <class Call>
+bool all_bytes(std::size_t bytes, Call call) {
+  for (std::size_t done = 0; done < bytes;) {
+    const ssize_t more = call(done);
+    if (more < 0 && errno == EINTR) continue;
+    if (more < 0) return false;
+    if (more == 0) return true;
+    done += static_cast<std::size_t>(more);
+  }
+  return true;
+}
+
+}  // namespace
+
 OutputFile::OutputFile(int fd, const std::filesystem::path& shown) : path_(shown), fd_(fd) {
-  if (fd_ < 0) throw_io_error(path_, "cannot be opened for writing", errno);
+  if (fd_ < 0) fail("cannot be opened for writing");
 }
 
 OutputFile::~OutputFile() {
   if (fd_ >= 0) ::close(fd_);
 }
 
+void OutputFile::fail(const char* doing) const { throw_io_error(path_, doing, errno); }
+
 void OutputFile::write(std::string_view text) {
-  while (!text.empty()) {
-    const ssize_t written = ::write(fd_, text.data(), text.size());
-    if (written < 0 && errno == EINTR) continue;
-    if (written < 0) throw_io_error(path_, "cannot be written", errno);
-    text.remove_prefix(static_cast<std::size_t>(written));
-  }
+  const auto more = [&](std::size_t done) {
+    return ::write(fd_, text.data() + done, text.size() - done);
+  };
+  if (!all_bytes(text.size(), more)) fail("cannot be written");
+}
+
+void OutputFile::write_at(std::uint64_t offset, std::string_view bytes) {
+  const auto more = [&](std::size_t done) {
+    return ::pwrite(fd_, bytes.data() + done, bytes.size() - done,
+                    static_cast<off_t>(offset + done));
+  };
+  if (!all_bytes(bytes.size(), more)) fail("cannot be written");
+}
+
+void OutputFile::read_at(std::uint64_t offset, std::span<char> bytes) const {
+  const auto more = [&](std::size_t done) {
+    return ::pread(fd_, bytes.data() + done, bytes.size() - done,
+                   static_cast<off_t>(offset + done));
+  };
+  if (!all_bytes(bytes.size(), more)) fail("cannot be read while it is written");
+}
+
+void OutputFile::resize(std::uint64_t bytes) {
+  if (::ftruncate(fd_, static_cast<off_t>(bytes)) != 0) fail("cannot be written");
 }
 
 void OutputFile::sync() {
-  if (::fsync(fd_) != 0) throw_io_error(path_, "cannot be flushed to the disk", errno);
+  if (::fsync(fd_) != 0) fail("cannot be flushed to the disk");
 }
 
-void OutputFile::reserve(std::uint64_t bytes) {
-  rlimit limit{};
-  if (::getrlimit(RLIMIT_FSIZE, &limit) == 0 && bytes > limit.rlim_cur)
-    throw_io_error(path_, "cannot be written", EFBIG);
-  if (::fallocate(fd_, FALLOC_FL_KEEP_SIZE, 0, static_cast<off_t>(bytes)) == 0) return;
-  if (errno == ENOSPC || errno == EDQUOT || errno == EFBIG)
-    throw_io_error(path_, "cannot be written", errno);
-}
-
-void OutputFile::release() {
-  struct stat status {};
-  if (::fstat(fd_, &status) != 0 || ::ftruncate(fd_, status.st_size) != 0)
-    throw_io_error(path_, "cannot be written", errno);
-}
+void OutputFile::forget() const { ::posix_fadvise(fd_, 0, 0, POSIX_FADV_DONTNEED); }
 
 void OutputFile::close() {
   const int fd = fd_;
   fd_ = -1;
-  if (::close(fd) != 0) throw_io_error(path_, "cannot be closed", errno);
+  if (::close(fd) != 0) fail("cannot be closed");
 }
 
 }  // namespace glissade

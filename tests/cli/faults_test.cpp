@@ -4,14 +4,17 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstdlib>
+#include <functional>
+#include <map>
 #include <nlohmann/json.hpp>
 
 #include "cli/child.hpp"
 #include "cli/one_run.hpp"
 #include "cli/small_study.hpp"
 
-// Runs beside which the disk fills or becomes read-only at some call of the system, or the clock is
-// set (faults.cpp). GLISSADE_FAULTS=all: at every call, for tests/README.md.
+// What the program does where a call of the system fails (faults.cpp), memory ends
+// (faults_memory.cpp) or the clock is set. GLISSADE_FAULTS=all: each call in turn, every error, for
+// tests/verification/reliability.md.
 namespace glissade::test {
 namespace {
 
@@ -24,6 +27,33 @@ std::string short_study() {
                   "[model]\naxes = 1\n\n[building]");
 }
 
+/// Every file of a folder and below it, by its name there: but run.json, which has times, and what
+/// could not be removed of a journal.
+std::map<std::string, std::string> files_of(const fs::path& folder) {
+  std::map<std::string, std::string> files;
+  for (const auto& entry : fs::recursive_directory_iterator(folder)) {
+    const std::string name = fs::relative(entry.path(), folder).string();
+    if (entry.is_regular_file() && entry.path().filename() != "run.json" &&
+        !name.starts_with("journal/"))
+      files[name] = read_file(entry.path());
+  }
+  return files;
+}
+
+/// The first file in which two folders differ; empty: none.
+std::string difference(const std::map<std::string, std::string>& a,
+                       const std::map<std::string, std::string>& b) {
+  for (const auto& [name, text] : a) {
+    if (!b.contains(name) || b.at(name) != text) return name;
+  }
+  for (const auto& [name, text] : b) {
+    if (!a.contains(name)) return name;
+  }
+  return "";
+}
+
+bool tries_all() { return getenv("GLISSADE_FAULTS") != nullptr; }
+
 class Faults : public OneRun<short_study> {
  protected:
   ~Faults() override { fs::remove_all(again_); }
@@ -32,69 +62,241 @@ class Faults : public OneRun<short_study> {
     return run_shell(variables + " LD_PRELOAD=" GLISSADE_FAULTS_LIBRARY " \"$0\" run '" + study_ +
                      "' --out '" + again_.string() + "' " + options);
   }
-  int writing_calls() const {
-    const std::string count = folder_->path("count").string();
-    EXPECT_EQ(run_with("FAULT_COUNT='" + count + "'").status, 0);
-    fs::remove_all(again_);
-    return std::stoi("0" + read_file(count));
-  }
-  /// What is left is whole, and what the message says makes the rest.
-  void expect_mended(const Finished& failed) const {
-    const std::string out = again_.string();
-    std::vector<std::string> mend{"run", study_, "--out", out, "--overwrite"};
-    if (fs::exists(again_ / "results.h5")) {
-      EXPECT_TRUE(read_file(again_ / "results.h5") == read_file(this->out() / "results.h5"));
-      if (failed.status == 0) return;
-      EXPECT_THAT(failed.err, HasSubstr("is complete"));
-      mend = {"report", "--overwrite", out + "/results.h5"};
-    } else if (fs::exists(again_ / "journal/run")) {
-      mend = {"run", "--resume", out};
-    }
-    EXPECT_EQ(failed.status, 2) << failed.err;
-    EXPECT_THAT(failed.err, testing::StartsWith("glissade: "));
-    const Finished mended = run_program(mend);
-    EXPECT_EQ(mended.status, 0) << mended.err;
-    EXPECT_TRUE(read_file(again_ / "results.h5") == read_file(this->out() / "results.h5"));
-    EXPECT_THAT(read_file(again_ / "report.html"), HasSubstr("</html>"));
-  }
-  /// At the first calls, in which the folder is taken, and at some of the others; or at all.
-  void expect_mended_at_every_stage(int error) const {
-    const int calls = writing_calls();
-    ASSERT_GT(calls, 20);
-    const bool every_call = getenv("GLISSADE_FAULTS") != nullptr;
-    int stages = 0;
-    for (int at = 1; at <= calls; at += every_call || at < 8 ? 1 : std::max(1, calls / 6)) {
-      const Finished failed =
-          run_with("FAULT_ERRNO=" + std::to_string(error) + " FAULT_FROM=" + std::to_string(at));
-      SCOPED_TRACE("call " + std::to_string(at) + " of " + std::to_string(calls) + ": " +
-                   failed.err);
-      expect_mended(failed);
-      fs::remove_all(again_);
-      ++stages;
-    }
-    std::printf("%d of %d writing calls failed\n", stages, calls);
-  }
 
   fs::path again_ = folder_->path("again");
 };
 
-TEST_F(Faults, a_disk_that_fills_at_any_stage_leaves_what_is_whole_and_a_way_on) {
-  expect_mended_at_every_stage(ENOSPC);
-}
-TEST_F(Faults, a_disk_that_becomes_read_only_at_any_stage_leaves_what_is_whole_and_a_way_on) {
-  expect_mended_at_every_stage(EROFS);
+/// A command whose calls fail one by one.
+struct Walked {
+  std::string name, line;            ///< "$0" is glissade
+  std::function<void()> prepare;     ///< what is there before
+  std::string again;                 ///< where the command states no other: makes all anew
+  std::vector<std::string> outputs;  ///< words in the paths of what it writes
+};
+
+/// How often, of the calls of a function that were made to fail.
+struct Tally {
+  long calls = 0, failed = 0, reported = 0, whole = 0, silent = 0, lost = 0, signals = 0,
+       internal = 0;
+};
+
+class FaultWalk : public Faults {
+ protected:
+  struct Kind {
+    std::string library, variables;  ///< which calls fail
+    std::vector<int> errors;
+  };
+  static Kind kind_of(const std::string& function, const std::string& output = "") {
+    const std::string in = output.empty() ? "" : " FAULT_IN=" + output;
+    if (function == "malloc") return {GLISSADE_MEMORY_FAULTS_LIBRARY, "", {ENOMEM}};
+    const bool removes = function == "remove" || function == "access";  // on a full disk too
+    const std::string calls = function == "any" ? "" : " FAULT_CALLS=" + function;
+    return {GLISSADE_FAULTS_LIBRARY, calls + in,
+            removes ? std::vector{EROFS} : std::vector{EIO, ENOSPC, EDQUOT, EROFS}};
+  }
+
+  void begin(const Walked& walked) {
+    walked_ = &walked;
+    fs::remove_all(again_);
+    walked.prepare();
+    const Finished whole = run_shell(walked.line);
+    ASSERT_EQ(whole.status, 0) << whole.err;
+    undisturbed_ = files_of(again_);
+  }
+  /// How many calls there are of each function, and of any, in paths with the words of an output.
+  std::map<std::string, long> count(Kind kind) const {
+    const std::string file = folder_->path("count").string();
+    fs::remove_all(again_);
+    fs::remove(file);
+    walked_->prepare();
+    // An error, of no call, so that removals count too.
+    const Finished child =
+        run_shell(command(kind, "FAULT_COUNT='" + file + "' FAULT_ERRNO=" + std::to_string(EROFS)));
+    EXPECT_EQ(child.status, 0) << child.err;
+    std::map<std::string, long> calls;
+    for (const std::string& line : lines_of(read_file(file))) {
+      const std::size_t space = line.find(' ');
+      calls["any"] += calls[line.substr(0, space)] = std::stol(line.substr(space));
+    }
+    return calls;
+  }
+  /// One call fails, or all from it on.
+  void fail(const std::string& function, const Kind& kind, int error, bool only, long at) {
+    fs::remove_all(again_);
+    walked_->prepare();
+    const std::string what = "FAULT_ERRNO=" + std::to_string(error) +
+                             (only ? " FAULT_AT=" : " FAULT_FROM=") + std::to_string(at);
+    const Finished child = run_shell(command(kind, what));
+    SCOPED_TRACE(walked_->name + ", " + function + kind.variables + " " + what + ": status " +
+                 std::to_string(child.status) + ", " + child.err);
+    Tally& tally = tallies_[function];
+    ++tally.failed;
+    const bool is_reported = child.status == 2 && child.err.starts_with("glissade: ") &&
+                             child.err.find("internal error") == std::string::npos;
+    if (child.status == 0) {
+      const std::string file = difference(undisturbed_, files_of(again_));
+      ++(file.empty() ? tally.whole : tally.silent);
+      EXPECT_EQ(file, "");
+    } else if (is_reported) {
+      ++tally.reported;
+      const std::string file = difference_when_mended(child);
+      if (!file.empty()) ++tally.lost;
+      EXPECT_EQ(file, "");
+    } else {
+      ++(child.status > 2 ? tally.signals : tally.internal);
+      ADD_FAILURE() << "neither whole nor reported";
+    }
+  }
+  /// After the command that the program stated, or the same again.
+  std::string difference_when_mended(const Finished& child) const {
+    const fs::path results = again_ / "results.h5";
+    if (fs::exists(results) && read_file(results) != undisturbed_.at("results.h5"))
+      return "results.h5, not whole";
+    std::string mend;
+    for (const char* command :
+         {"glissade run --resume", "glissade report --overwrite", "glissade clearance --resume"}) {
+      const std::size_t at = child.err.find(command);
+      if (at != std::string::npos)
+        mend = child.err.substr(at, child.err.find_first_of(";\n", at) - at);
+    }
+    if (mend.empty()) {
+      const auto json = nlohmann::json::parse(read_file(again_ / "run.json"), nullptr, false);
+      if (json.is_object() && json.contains("what_to_do")) mend = json.at("what_to_do");
+    }
+    if (mend.empty() && fs::exists(again_ / "journal/run"))
+      mend = "glissade run --resume '" + again_.string() + "'";
+    mend = mend.empty() ? walked_->again : "\"$0\"" + mend.substr(mend.find(' '));
+    const Finished mended = run_shell(mend);
+    if (mended.status != 0) return mend + ": " + mended.err;
+    // Of what a run skipped only its own report knows.
+    std::map<std::string, std::string> wanted = undisturbed_, found = files_of(again_);
+    for (auto* page : {&wanted["report.html"], &found["report.html"]})
+      *page = page->substr(page->find("</html>") == std::string::npos ? 0 : page->size());
+    return difference(wanted, found);
+  }
+  /// Every call, where all are wanted, alone and with all that follow, by each error in turn; else
+  /// of each function calls in the middle of two outputs.
+  void walk(const Walked& walked, const std::vector<std::string>& functions) {
+    ASSERT_NO_FATAL_FAILURE(begin(walked));
+    const auto all = count(kind_of("any"));
+    std::vector<std::map<std::string, long>> of_outputs;
+    for (const std::string& output : walked.outputs)
+      of_outputs.push_back(count(kind_of("any", output)));
+    for (std::size_t f = 0; f < functions.size(); ++f) {
+      const std::string& function = functions[f];
+      const bool is_memory = function == "malloc";
+      const Kind kind = kind_of(function);
+      const auto calls_of = [&](const std::map<std::string, long>& calls) {
+        return calls.contains(function) ? calls.at(function) : 0;
+      };
+      const long calls = tallies_[function].calls = calls_of(is_memory ? count(kind) : all);
+      if (tries_all() || is_memory) {
+        const long most = is_memory ? (tries_all() ? 300 : 6) : calls;  // allocations are many
+        for (long at = 1; at <= calls; at += 1 + calls / (most + 1)) {
+          for (const bool only : {true, false})
+            fail(function, kind, kind.errors[at % kind.errors.size()], only, at);
+        }
+        continue;
+      }
+      for (std::size_t i = f, outputs = 0; i < f + walked.outputs.size() && outputs < 2; ++i) {
+        const std::size_t output = i % walked.outputs.size();
+        const long of_it = calls_of(of_outputs[output]);
+        if (of_it == 0) continue;
+        ++outputs;
+        fail(function, kind_of(function, walked.outputs[output]),
+             kind.errors[i % kind.errors.size()], outputs == 1, (of_it + 1) / 2);
+      }
+    }
+    print();
+  }
+  void print() const {
+    std::printf(
+        "| %s | calls | made to fail | reported | whole | silent | lost | signal | internal |\n",
+        walked_->name.c_str());
+    for (const auto& [function, t] : tallies_) {
+      std::printf("| %s | %ld | %ld | %ld | %ld | %ld | %ld | %ld | %ld |\n", function.c_str(),
+                  t.calls, t.failed, t.reported, t.whole, t.silent, t.lost, t.signals, t.internal);
+    }
+  }
+  std::string command(const Kind& kind, const std::string& what) const {
+    return what + kind.variables + " LD_PRELOAD=" + kind.library + " " + walked_->line;
+  }
+
+  const Walked* walked_ = nullptr;
+  std::map<std::string, std::string> undisturbed_;
+  std::map<std::string, Tally> tallies_;
+};
+
+const std::vector<std::string> disk_functions = {"any",    "open",      "write", "pwrite",
+                                                 "fsync",  "ftruncate", "close", "mkdir",
+                                                 "rename", "remove",    "access"};
+
+Walked a_run(const std::string& study, const std::string& out) {
+  const std::string line = "\"$0\" run '" + study + "' --out '" + out + "'";
+  return {"run",
+          line,
+          [] {},
+          line + " --overwrite",
+          {"journal", "results.h5", "tables", "figures", "report.html", "run.json"}};
 }
 
-// The last call would write run.json.
+TEST_F(FaultWalk, a_run_to_which_any_call_fails_is_whole_or_reports_it_and_states_a_way_on) {
+  walk(a_run(study_, again_.string()), disk_functions);
+}
+/// The studies are finished, and what is made of them is not.
+TEST_F(FaultWalk, a_calculation_package_to_which_any_call_fails_is_whole_or_reports_it) {
+  const std::string sources = GLISSADE_SOURCE_DIR;
+  std::string project = replaced(read_file(sources + "/studies/permit_project.toml"), "../suites",
+                                 sources + "/suites");
+  project = replaced(project, "data/", sources + "/studies/data/") + "\n[sampling]\nsamples = 8\n";
+  const Finished made =
+      run_program({"clearance", folder_->write("project.toml", project), "--out", again_.string()});
+  ASSERT_EQ(made.status, 0) << made.err;
+  const fs::path kept = folder_->path("kept");
+  fs::rename(again_, kept);
+  folder_->write("kept/run.json",
+                 replaced(read_file(kept / "run.json"), "\"finished\"", "\"started\""));
+  const std::string line = "\"$0\" clearance --resume '" + again_.string() + "'";
+  const auto prepare = [&] {
+    fs::copy(kept, again_, fs::copy_options::recursive);
+    for (const char* name : {"package.html", "package.json", "tables", "figures"})
+      fs::remove_all(again_ / name);
+  };
+  walk({"package", line, prepare, line, {"tables", "figures", "package.html", "run.json"}},
+       disk_functions);
+}
+TEST_F(FaultWalk, a_run_in_which_memory_ends_at_any_allocation_reports_it_and_states_a_way_on) {
+  walk(a_run(study_, again_.string()), {"malloc"});
+}
+TEST_F(FaultWalk, a_report_to_which_any_call_fails_is_whole_or_reports_it) {
+  const std::string line = "\"$0\" report --overwrite '" + (again_ / "results.h5").string() + "'";
+  walk({"report",
+        line,
+        [&] { fs::copy(out(), again_, fs::copy_options::recursive); },
+        line,
+        {"tables", "figures", "report.html"}},
+       disk_functions);
+}
+TEST_F(Faults, a_results_file_that_cannot_be_read_to_its_end_is_refused) {
+  const std::string results = (out() / "results.h5").string();
+  for (const char* at : {"FAULT_AT=1", "FAULT_AT=2", "FAULT_FROM=1"}) {
+    const Finished failed =
+        run_shell(std::string("FAULT_CALLS=read FAULT_ERRNO=5 ") + at +
+                  " FAULT_IN=results.h5 LD_PRELOAD=" GLISSADE_FAULTS_LIBRARY " \"$0\" report '" +
+                  results + "' --out '" + again_.string() + "'");
+    expect_refused(failed, {"results.h5", "cannot be read: Input/output error"});
+  }
+}
+
+// Four calls make run.json when the run begins.
 TEST_F(Faults,
        a_disk_that_is_full_after_the_results_leaves_a_run_that_is_started_and_can_be_resumed) {
-  const Finished failed = run_with("FAULT_ERRNO=" + std::to_string(ENOSPC) +
-                                   " FAULT_FROM=" + std::to_string(writing_calls() - 2));
+  const Finished failed =
+      run_with("FAULT_IN=run.json FAULT_FROM=5 FAULT_ERRNO=" + std::to_string(ENOSPC));
   EXPECT_EQ(failed.status, 2) << failed.err;
   EXPECT_THAT(failed.err, HasSubstr("is complete"));
   EXPECT_THAT(read_file(again_ / "run.json"), HasSubstr("\"started\""));
   EXPECT_EQ(run_program({"report", "--overwrite", (again_ / "results.h5").string()}).status, 0);
-  EXPECT_THAT(read_file(again_ / "run.json"), HasSubstr("\"started\""));
   const Finished resumed = run_program({"run", "--resume", again_.string()});
   EXPECT_EQ(resumed.status, 0) << resumed.err;
   EXPECT_THAT(read_file(again_ / "run.json"), HasSubstr("\"finished\""));

@@ -24,7 +24,7 @@ std::string read_text_file(const std::filesystem::path& path);
 void write_text_file(const std::filesystem::path& path, std::string_view text);
 
 /// The same of regular files only, with a function that writes the partial file, which is there and
-/// empty: by its name, or through `file`, which appends.
+/// empty, through `file`.
 using WriteFile = std::function<void(OutputFile& file, const std::filesystem::path& partial)>;
 void write_file(const std::filesystem::path& path, const WriteFile& write);
 

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -23,15 +24,18 @@ class OutputFile {
   ~OutputFile();
 
   void write(std::string_view text);
+  void write_at(std::uint64_t offset, std::string_view bytes);
+  /// Of a file that is open for reading too; what is behind its end stays as it is.
+  void read_at(std::uint64_t offset, std::span<char> bytes) const;
+  void resize(std::uint64_t bytes);
   void sync();  ///< what was written is on the disk on return
+  /// What was flushed is read from the disk next time, not from memory, where the system can.
+  void forget() const;
   void close();
-  /// Takes disk space for the first `bytes` of the file, whose size stays: what is written there
-  /// later cannot meet a full disk. Without effect on file systems that cannot.
-  void reserve(std::uint64_t bytes);
-  void release();  ///< gives back what is reserved behind the file's end
   int descriptor() const { return fd_; }
 
  private:
+  [[noreturn]] void fail(const char* doing) const;  ///< with errno
   std::filesystem::path path_;
   int fd_;
 };

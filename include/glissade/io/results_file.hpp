@@ -12,9 +12,9 @@ namespace glissade {
 inline constexpr int results_format_version = 14;
 
 /// Writes an HDF5 file that holds all of `results` and nothing else: the same results give the same
-/// bytes. Put together in memory, then written to a temporary name beside `file` and renamed when
-/// whole. Throws InputError, saying why and what to do, where it cannot be written; nothing is left
-/// then, and an older file stays as it was. Precondition: run labels are distinct and hold no '/';
+/// bytes. Written to a temporary name beside `file`, read back and compared, then renamed. Throws
+/// InputError, saying why and what to do, where it cannot be written or reads back otherwise;
+/// nothing is left then, and an older file stays as it was. Precondition: run labels are distinct and hold no '/';
 /// per-record and per-level arrays fit the results' records and levels.
 void write_results(const std::filesystem::path& file, const Results& results);
 

@@ -2,8 +2,6 @@
 #include "results/envelope.hpp"
 
 #include <algorithm>
-#include <fstream>
-#include <iterator>
 #include <new>
 #include <span>
 #include <string_view>
@@ -11,6 +9,7 @@
 #include "glissade/core/error.hpp"
 #include "glissade/core/file.hpp"
 #include "glissade/core/hash.hpp"
+#include "glissade/core/input_file.hpp"
 
 namespace glissade {
 namespace {
@@ -20,15 +19,14 @@ namespace {
 constexpr std::string_view checksum_key = "\nglissade checksum ";
 constexpr std::size_t checksum_bytes = checksum_key.size() + 17;
 
-/// Of the first `size` bytes of a file.
-std::string checksum_line(const std::filesystem::path& file, std::uintmax_t size) {
+/// Of the next `size` bytes of a file.
+std::string checksum_line(const InputFile& file, std::uintmax_t size) {
   Hasher hasher;
-  std::ifstream in(file, std::ios::binary);
   std::string block(std::size_t{1} << 20, '\0');
   while (size > 0) {
-    const std::size_t part = std::min<std::uintmax_t>(size, block.size());
-    if (!in.read(block.data(), static_cast<std::streamsize>(part)))
-      throw InputError({file.string(), "cannot be read to its end", "check the disk", ""});
+    const std::size_t part =
+        file.read(std::span(block).first(std::min<std::uintmax_t>(size, block.size())));
+    if (part == 0) return "";  // the file has become shorter
     hasher.bytes(std::as_bytes(std::span(block.data(), part)));
     size -= part;
   }
@@ -36,15 +34,18 @@ std::string checksum_line(const std::filesystem::path& file, std::uintmax_t size
 }
 
 /// Before libhdf5 opens a file: it does not stand every damage. What is wrong; empty: nothing.
-std::string checksum_fault(const std::filesystem::path& file) {
-  const std::uintmax_t size = std::filesystem::file_size(file);
-  std::ifstream in(file, std::ios::binary);
-  in.seekg(static_cast<std::streamoff>(size - std::min<std::uintmax_t>(size, checksum_bytes)));
-  const std::string line{std::istreambuf_iterator<char>(in), {}};
+std::string checksum_fault(const std::filesystem::path& path) {
+  const InputFile file(path);
+  const std::uintmax_t size = file.size();
+  const std::uintmax_t of_content = size - std::min<std::uintmax_t>(size, checksum_bytes);
+  file.seek(of_content);
+  std::string line(checksum_bytes, '\0');
+  line.resize(file.read(line));
   if (!line.starts_with(checksum_key))
     return "it does not end with a checksum (cut short, changed by another program, or of another "
            "version)";
-  if (line != checksum_line(file, size - checksum_bytes))
+  file.seek(0);
+  if (line != checksum_line(file, of_content))
     return "it is damaged: its content does not have its checksum";
   return "";
 }
@@ -68,30 +69,54 @@ void check_type_and_version(const ResultsKind& kind, const Hdf5Reader& root) {
 
 }  // namespace
 
+namespace {
+
+void write_hdf5(OutputFile& output, const std::function<void(const Hdf5Writer&)>& content) {
+  Hdf5OutputFile file(output);
+  try {
+    content(Hdf5Writer(file));
+    file.close();
+  } catch (const Hdf5Error&) {
+    file.throw_failure();  // which was the cause
+    throw;
+  }
+}
+
+/// What is on the disk is read again, where the system lets it be, and compared.
+void read_back(const std::filesystem::path& file, OutputFile& output,
+               const std::function<void(const Hdf5Writer&)>& content) {
+  output.sync();
+  output.forget();
+  if (!checksum_fault(file).empty()) throw Hdf5Error("find the checksum of what was written");
+  content(Hdf5Writer::comparing(file));
+}
+
+}  // namespace
+
 void write_results_of(const ResultsKind& kind, const std::filesystem::path& file,
                       const std::function<void(const Hdf5Writer&)>& content) {
   const Hdf5Silence silence;
+  const auto whole_content = [&](const Hdf5Writer& root) {
+    root.attribute("file_type", std::string(kind.file_type));
+    root.attribute("format_version", static_cast<std::uint64_t>(kind.format_version));
+    content(root);
+  };
   write_file(file, [&](OutputFile& output, const std::filesystem::path& partial) {
     try {
-      Hdf5OutputFile hdf5(partial, output);
-      {
-        const Hdf5Writer root(hdf5);
-        root.attribute("file_type", std::string(kind.file_type));
-        root.attribute("format_version", static_cast<std::uint64_t>(kind.format_version));
-        content(root);
-      }
-      hdf5.close();
+      write_hdf5(output, whole_content);
+      append_checksum(partial, output);
+      read_back(partial, output, whole_content);
     } catch (const Hdf5Error& error) {
       throw InputError({file.string(), std::string("cannot be written: cannot ") + error.what(),
-                        "check that there are memory and disk space enough", ""});
+                        "check the disk, and that there are memory and space enough", ""});
     }
-    append_checksum(partial, output);
-    output.release();
   });
 }
 
-void append_checksum(const std::filesystem::path& file, OutputFile& output) {
-  output.write(checksum_line(file, std::filesystem::file_size(file)));
+void append_checksum(const std::filesystem::path& path, OutputFile& output) {
+  const InputFile file(path);
+  const std::uintmax_t size = file.size();
+  output.write_at(size, checksum_line(file, size));
 }
 
 void read_results_of(const ResultsKind& kind, const std::filesystem::path& file,

@@ -128,17 +128,13 @@ void set_chunks(hid_t creation, const DatasetShape& shape) {
   checked(H5Pset_deflate(creation, fastest), "set a filter");
 }
 
-void write_chunks(hid_t dataset, const DatasetShape& shape, std::span<const std::byte> values,
-                  const std::function<void(std::size_t)>& reserve) {
+void write_chunks(hid_t dataset, const DatasetShape& shape, std::span<const std::byte> values) {
   const Cut cut(shape);
   std::array<Bytes, at_a_time> batch;
   in_batches(cut.count(), [&](std::size_t first, std::size_t count) {
     tbb::parallel_for(std::size_t{0}, count, [&](std::size_t i) {
       batch[i] = packed(cut.of(values, first + i), shape.value_bytes, cut.bytes());
     });
-    std::size_t bytes = 0;
-    for (std::size_t i = 0; i < count; ++i) bytes += batch[i].size();
-    reserve(bytes);
     for (std::size_t i = 0; i < count; ++i) {
       const Dims at = cut.offset(first + i);
       checked(H5Dwrite_chunk(dataset, H5P_DEFAULT, 0, at.data(), batch[i].size(), batch[i].data()),
@@ -168,10 +164,13 @@ void expect_chunks(hid_t dataset, const DatasetShape& shape, std::uintmax_t file
     throw Hdf5Error("read the dataset " + name + ", which is larger than the file");
 }
 
-void read_chunks(hid_t dataset, const DatasetShape& shape, std::span<std::byte> values,
-                 const std::string& name) {
+namespace {
+
+/// Takes every chunk, deflated, with the number that it has: false where it is not as it should be.
+/// Threads do so, of a batch at a time.
+template <class Take>
+void take_chunks(hid_t dataset, const Cut& cut, const std::string& name, Take take) {
   const auto damaged = [&] { return Hdf5Error("read the dataset " + name + " whole"); };
-  const Cut cut(shape);
   std::array<Bytes, at_a_time> batch;
   std::array<bool, at_a_time> is_whole{};
   in_batches(cut.count(), [&](std::size_t first, std::size_t count) {
@@ -187,12 +186,32 @@ void read_chunks(hid_t dataset, const DatasetShape& shape, std::span<std::byte> 
           left_out != 0)
         throw damaged();
     }
-    tbb::parallel_for(std::size_t{0}, count, [&](std::size_t i) {
-      is_whole[i] = unpack(batch[i], cut.of(values, first + i), shape.value_bytes, cut.bytes());
-    });
+    tbb::parallel_for(std::size_t{0}, count,
+                      [&](std::size_t i) { is_whole[i] = take(first + i, batch[i]); });
     if (!std::all_of(is_whole.begin(), is_whole.begin() + static_cast<std::ptrdiff_t>(count),
                      [](bool whole) { return whole; }))
       throw damaged();
+  });
+}
+
+}  // namespace
+
+void read_chunks(hid_t dataset, const DatasetShape& shape, std::span<std::byte> values,
+                 const std::string& name) {
+  const Cut cut(shape);
+  take_chunks(dataset, cut, name, [&](std::size_t chunk, const Bytes& deflated) {
+    return unpack(deflated, cut.of(values, chunk), shape.value_bytes, cut.bytes());
+  });
+}
+
+void compare_chunks(hid_t dataset, const DatasetShape& shape, std::span<const std::byte> values,
+                    const std::string& name) {
+  const Cut cut(shape);
+  take_chunks(dataset, cut, name, [&](std::size_t chunk, const Bytes& deflated) {
+    const std::span<const std::byte> meant = cut.of(values, chunk);
+    std::vector<std::byte> found(meant.size());
+    return unpack(deflated, found, shape.value_bytes, cut.bytes()) &&
+           std::ranges::equal(found, meant);
   });
 }
 

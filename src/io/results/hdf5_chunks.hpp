@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstddef>
-#include <functional>
 #include <span>
 #include <string>
 #include <vector>
@@ -28,9 +27,10 @@ bool is_chunked(const DatasetShape& shape);
 /// Adds chunks and filters to the creation properties of a dataset.
 void set_chunks(hid_t creation, const DatasetShape& shape);
 
-/// @param reserve is called before so many bytes are written
-void write_chunks(hid_t dataset, const DatasetShape& shape, std::span<const std::byte> values,
-                  const std::function<void(std::size_t)>& reserve);
+void write_chunks(hid_t dataset, const DatasetShape& shape, std::span<const std::byte> values);
+/// Throws Hdf5Error where the chunks do not hold these values.
+void compare_chunks(hid_t dataset, const DatasetShape& shape, std::span<const std::byte> values,
+                    const std::string& name);
 
 /// Deflate makes no more than so many bytes of one (zlib, "Maximum Compression Ratio").
 constexpr std::size_t most_inflated = 1032;

@@ -13,107 +13,124 @@ Hdf5Handle make_space(const Dims& dims) {
           "make a dataspace"};
 }
 
-/// Creation properties without times.
-Hdf5Handle timeless(hid_t property_class) {
-  Hdf5Handle properties(H5Pcreate(property_class), H5Pclose, "make properties");
-  checked(H5Pset_obj_track_times(properties, false), "leave times out");
-  return properties;
-}
-
-Hdf5Handle create(const std::filesystem::path& file) {
+Hdf5Handle open_file(const std::filesystem::path& file) {
   const Hdf5Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, "make properties");
-  checked(H5Pset_fclose_degree(access, H5F_CLOSE_STRONG), "close all with the file");
-  // Nobody else knows the file, and some shared file systems cannot lock.
+  // Reading needs no lock, which some shared file systems cannot give.
   checked(H5Pset_file_locking(access, false, true), "leave locks out");
-  checked(H5Pset_libver_bounds(access, H5F_LIBVER_EARLIEST, H5F_LIBVER_V18), "fix the format");
-  const Hdf5Handle creation = timeless(H5P_FILE_CREATE);
-  // Gives the root group the newer object header, whose attributes may be longer than 64 KiB (the
-  // study file).
-  checked(H5Pset_attr_creation_order(creation, H5P_CRT_ORDER_TRACKED),
-          "keep the order of attributes");
-  return {H5Fcreate(file.c_str(), H5F_ACC_TRUNC, creation, access), H5Fclose, "begin the file"};
+  return {H5Fopen(file.c_str(), H5F_ACC_RDONLY, access), H5Fclose, "open it as HDF5"};
 }
 
-void write_attribute(hid_t object, const std::string& name, hid_t in_file, hid_t in_memory,
-                     const void* data) {
-  const Hdf5Handle space = make_space({});
-  const Hdf5Handle attribute(
-      H5Acreate2(object, name.c_str(), in_file, space, H5P_DEFAULT, H5P_DEFAULT), H5Aclose,
-      "make the attribute " + name);
-  checked(H5Awrite(attribute, in_memory, data), "write the attribute " + name);
+Hdf5Handle root_of(hid_t file) { return {H5Gopen2(file, "/", H5P_DEFAULT), H5Gclose, "open /"}; }
+
+Hdf5Handle make_dataset(hid_t group, const std::string& name, hid_t type, const DatasetShape& shape,
+                        bool chunked) {
+  const Hdf5Handle space = make_space(shape.dims);
+  const Hdf5Handle creation = timeless(H5P_DATASET_CREATE);
+  if (chunked) set_chunks(creation, shape);
+  return {H5Dcreate2(group, name.c_str(), type, space, H5P_DEFAULT, creation, H5P_DEFAULT),
+          H5Dclose, "make the dataset " + name};
+}
+
+Hdf5Handle open_dataset(hid_t group, const std::string& name) {
+  return {H5Dopen2(group, name.c_str(), H5P_DEFAULT), H5Dclose, "find the dataset " + name};
+}
+
+/// Throws unless an attribute or dataset is of this type and of as many values.
+void expect_same(const Hdf5Handle& type, const Hdf5Handle& space, hid_t in_file, const Dims& dims,
+                 const std::string& name) {
+  Dims found(dims.size());
+  if (H5Tequal(type, in_file) <= 0 ||
+      H5Sget_simple_extent_ndims(space) != static_cast<int>(dims.size()) ||
+      H5Sget_simple_extent_dims(space, found.data(), nullptr) < 0 || found != dims)
+    throw Hdf5Error("find " + name + " as it was written");
+}
+
+/// Throws unless what `read` reads is the same.
+template <class Read>
+void expect_same(std::span<const std::byte> meant, const std::string& name, Read read) {
+  std::vector<std::byte> found(meant.size());
+  checked(read(found.data()), "read " + name + " again");
+  if (!std::ranges::equal(found, meant)) throw Hdf5Error("find " + name + " as it was written");
 }
 
 }  // namespace
 
-namespace {
+Hdf5Writer::Hdf5Writer(const Hdf5OutputFile& file) : Hdf5Writer(root_of(file.root()), &file) {}
 
-/// Headers of an object, and its part of the index of its group.
-constexpr std::size_t beside_bytes = 16384;
-
-}  // namespace
-
-Hdf5OutputFile::Hdf5OutputFile(const std::filesystem::path& partial, OutputFile& file)
-    : output_(file), file_([&] {
-        output_.reserve(beside_bytes);
-        return create(partial);
-      }()) {}
-
-void Hdf5OutputFile::reserve(std::size_t bytes) const {
-  hsize_t size = 0;
-  checked(H5Fget_filesize(file_, &size), "size the file");
-  output_.reserve(size + bytes + beside_bytes);
-}
-
-void Hdf5OutputFile::close() { file_.close_now("close the file"); }
-
-void Hdf5Writer::write_text_attribute(hid_t object, const std::string& name,
-                                      const std::string& text) const {
-  file_.reserve(text.size());
-  const Hdf5Handle type = text_type(text.size());
-  write_attribute(object, name, type, type, text.empty() ? "\0" : text.data());
+Hdf5Writer Hdf5Writer::comparing(const std::filesystem::path& file) {
+  return {root_of(open_file(file)), nullptr};
 }
 
 Hdf5Writer Hdf5Writer::group(const std::string& name) const {
-  if (H5Lexists(group_, name.c_str(), H5P_DEFAULT) > 0)
+  if (file_ == nullptr || H5Lexists(group_, name.c_str(), H5P_DEFAULT) > 0)
     return {
         Hdf5Handle(H5Gopen2(group_, name.c_str(), H5P_DEFAULT), H5Gclose, "open the group " + name),
         file_};
-  file_.reserve(0);
   const Hdf5Handle creation = timeless(H5P_GROUP_CREATE);
   return {Hdf5Handle(H5Gcreate2(group_, name.c_str(), H5P_DEFAULT, creation, H5P_DEFAULT), H5Gclose,
                      "make the group " + name),
           file_};
 }
 
+void Hdf5Writer::write_attribute(hid_t object, const std::string& name, hid_t in_file,
+                                 hid_t in_memory, std::span<const std::byte> value) const {
+  if (file_ == nullptr) {
+    const Hdf5Handle found(H5Aopen(object, name.c_str(), H5P_DEFAULT), H5Aclose, "find " + name);
+    expect_same({H5Aget_type(found), H5Tclose, "read " + name},
+                {H5Aget_space(found), H5Sclose, "read " + name}, in_file, {}, name);
+    return expect_same(value, name, [&](void* into) { return H5Aread(found, in_memory, into); });
+  }
+  const Hdf5Handle space = make_space({});
+  Hdf5Handle attribute(H5Acreate2(object, name.c_str(), in_file, space, H5P_DEFAULT, H5P_DEFAULT),
+                       H5Aclose, "make the attribute " + name);
+  checked(H5Awrite(attribute, in_memory, value.data()), "write the attribute " + name);
+  attribute.close_now("write the attribute " + name);
+}
+
+void Hdf5Writer::write_text_attribute(hid_t object, const std::string& name,
+                                      const std::string& text) const {
+  const Hdf5Handle type = text_type(text.size());
+  const std::string_view bytes = text.empty() ? std::string_view("\0", 1) : text;
+  write_attribute(object, name, type, type, std::as_bytes(std::span(bytes)));
+}
+
 void Hdf5Writer::attribute(const std::string& name, const std::string& text) const {
   write_text_attribute(group_, name, text);
 }
 void Hdf5Writer::attribute(const std::string& name, double value) const {
-  write_attribute(group_, name, file_type<double>(), memory_type<double>(), &value);
+  write_attribute(group_, name, file_type<double>(), memory_type<double>(),
+                  std::as_bytes(std::span(&value, 1)));
 }
 void Hdf5Writer::attribute(const std::string& name, std::uint64_t value) const {
-  write_attribute(group_, name, file_type<std::uint64_t>(), memory_type<std::uint64_t>(), &value);
+  write_attribute(group_, name, file_type<std::uint64_t>(), memory_type<std::uint64_t>(),
+                  std::as_bytes(std::span(&value, 1)));
 }
 
 void Hdf5Writer::write(const std::string& name, const Label& label, const Dims& dims, hid_t in_file,
                        hid_t in_memory, std::span<const std::byte> values) const {
-  const Hdf5Handle space = make_space(dims);
   const DatasetShape shape{dims, H5Tget_size(in_file)};
   const bool chunked = is_chunked(shape) && H5Tget_class(in_file) != H5T_STRING;
-  file_.reserve(chunked ? 0 : values.size());
-  const Hdf5Handle creation = timeless(H5P_DATASET_CREATE);
-  if (chunked) set_chunks(creation, shape);
-  const Hdf5Handle dataset(
-      H5Dcreate2(group_, name.c_str(), in_file, space, H5P_DEFAULT, creation, H5P_DEFAULT),
-      H5Dclose, "make the dataset " + name);
-  if (chunked) {
-    write_chunks(dataset, shape, values, [&](std::size_t bytes) { file_.reserve(bytes); });
+  Hdf5Handle dataset = file_ == nullptr ? open_dataset(group_, name)
+                                        : make_dataset(group_, name, in_file, shape, chunked);
+  if (file_ == nullptr) {
+    expect_same({H5Dget_type(dataset), H5Tclose, "read " + name},
+                {H5Dget_space(dataset), H5Sclose, "read " + name}, in_file, dims, name);
+    if (chunked)
+      compare_chunks(dataset, shape, values, name);
+    else if (!values.empty())
+      expect_same(values, name, [&](void* into) {
+        return H5Dread(dataset, in_memory, H5S_ALL, H5S_ALL, H5P_DEFAULT, into);
+      });
+  } else if (chunked) {
+    write_chunks(dataset, shape, values);
   } else if (!values.empty()) {
     checked(H5Dwrite(dataset, in_memory, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()),
             "write the dataset " + name);
   }
   write_text_attribute(dataset, "unit", label.unit);
   write_text_attribute(dataset, "description", label.description);
+  dataset.close_now("write the dataset " + name);
+  if (file_ != nullptr) file_->throw_failure();
 }
 
 void Hdf5Writer::array(const std::string& name, const Label& label, const Dims& dims,
@@ -129,13 +146,6 @@ void Hdf5Writer::array(const std::string& name, const Label& label, const Dims& 
 
 namespace {
 
-Hdf5Handle open_file(const std::filesystem::path& file) {
-  const Hdf5Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, "make properties");
-  // Reading needs no lock, which some shared file systems cannot give.
-  checked(H5Pset_file_locking(access, false, true), "leave locks out");
-  return {H5Fopen(file.c_str(), H5F_ACC_RDONLY, access), H5Fclose, "open it as HDF5"};
-}
-
 std::string text_of(const char* data, std::size_t size) { return {data, strnlen(data, size)}; }
 
 Hdf5Handle open_attribute(hid_t object, const std::string& name) {
@@ -147,12 +157,10 @@ Hdf5Handle open_attribute(hid_t object, const std::string& name) {
   return attribute;
 }
 
-std::size_t text_size(const Hdf5Handle& type, const std::string& name, std::uintmax_t file_size) {
+std::size_t text_size(const Hdf5Handle& type, const std::string& name) {
   const std::size_t size = H5Tget_size(type);
-  if (H5Tget_class(type) != H5T_STRING || H5Tis_variable_str(type) != 0 || size == 0 ||
-      size > file_size) {
+  if (H5Tget_class(type) != H5T_STRING || H5Tis_variable_str(type) != 0 || size == 0)
     throw Hdf5Error("read " + name + " as text");
-  }
   return size;
 }
 
@@ -164,15 +172,22 @@ void read_number_attribute(hid_t object, const std::string& name, T& value) {
 
 }  // namespace
 
+void ReadBudget::take(const std::string& name, std::uintmax_t count, std::uintmax_t bytes_of_each) {
+  if (count > left_ / bytes_of_each)
+    throw Hdf5Error("read " + name + ", which needs far more memory than the file has bytes");
+  left_ -= count * bytes_of_each;
+}
+
 Hdf5Reader::Hdf5Reader(const std::filesystem::path& file)
-    : group_(H5Gopen2(open_file(file), "/", H5P_DEFAULT), H5Gclose, "open /"),
-      file_size_(std::filesystem::file_size(file)) {}
+    : group_(root_of(open_file(file))),
+      file_size_(std::filesystem::file_size(file)),
+      budget_(std::make_shared<ReadBudget>(file_size_)) {}
 
 Hdf5Reader Hdf5Reader::group(const std::string& name) const {
   expect_own(name);
   return {
       Hdf5Handle(H5Gopen2(group_, name.c_str(), H5P_DEFAULT), H5Gclose, "find the group " + name),
-      file_size_};
+      *this};
 }
 
 bool Hdf5Reader::has(const std::string& name) const {
@@ -182,7 +197,8 @@ bool Hdf5Reader::has(const std::string& name) const {
 void Hdf5Reader::attribute(const std::string& name, std::string& text) const {
   const Hdf5Handle attribute = open_attribute(group_, name);
   const Hdf5Handle type(H5Aget_type(attribute), H5Tclose, "read the attribute " + name);
-  const std::size_t size = text_size(type, name, file_size_);
+  const std::size_t size = text_size(type, name);
+  budget_->take(name, size, 2);  // with the buffer
   std::string buffer(size, '\0');
   checked(H5Aread(attribute, type, buffer.data()), "read the attribute " + name);
   text = text_of(buffer.data(), size);
@@ -219,8 +235,7 @@ bool has_chunks(hid_t dataset, const std::string& name) {
 
 Hdf5Reader::Array Hdf5Reader::open_array(const std::string& name, Dims& dims) const {
   expect_own(name);
-  Hdf5Handle dataset(H5Dopen2(group_, name.c_str(), H5P_DEFAULT), H5Dclose,
-                     "find the dataset " + name);
+  Hdf5Handle dataset = open_dataset(group_, name);
   const bool chunked = has_chunks(dataset, name);
   const Hdf5Handle space(H5Dget_space(dataset), H5Sclose, "read the dataset " + name);
   const int rank = checked(H5Sget_simple_extent_ndims(space), "size the dataset " + name);
@@ -260,12 +275,9 @@ void Hdf5Reader::read(const Array& array, const std::string& name, const Dims& d
 
 std::size_t Hdf5Reader::row_count(const std::string& name, std::size_t rank,
                                   std::size_t row_bytes) const {
-  // A row's values differ from row to row, so that a few bytes of the file are of each.
-  constexpr std::size_t most_per_byte = 256, always = std::size_t{64} << 20;
   Dims dims(rank);
   open_array(name, dims);
-  if (dims.front() > (always + file_size_ * most_per_byte) / row_bytes)
-    throw Hdf5Error("read " + name + ", which has more rows than the file can have values for");
+  budget_->take(name, dims.front(), row_bytes);
   return dims.front();
 }
 
@@ -273,7 +285,9 @@ void Hdf5Reader::array(const std::string& name, const Label&, Dims& dims,
                        std::vector<std::string>& values) const {
   const Array array = open_array(name, dims);
   const Hdf5Handle type(H5Dget_type(array.dataset), H5Tclose, "read the dataset " + name);
-  const std::size_t size = text_size(type, name, file_size_);
+  const std::size_t size = text_size(type, name);
+  if (array.is_chunked) throw Hdf5Error("read the text " + name + ", which is stored in chunks");
+  budget_->take(name, array.count, sizeof(std::string) + 2 * size);
   std::string packed(array.count * size, '\0');
   read(array, name, dims, type, type, std::as_writable_bytes(std::span(packed)));
   values.clear();

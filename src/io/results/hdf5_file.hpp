@@ -3,13 +3,14 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <memory>
 #include <span>
 #include <string>
 #include <vector>
 
-#include "glissade/core/output_file.hpp"
 #include "results/hdf5_chunks.hpp"
 #include "results/hdf5_handle.hpp"
+#include "results/hdf5_output_file.hpp"
 
 namespace glissade {
 
@@ -19,29 +20,14 @@ struct Label {
   const char* description;
 };
 
-/// An HDF5 file while it is written. Disk space is reserved before HDF5 needs it: HDF5 cannot close
-/// a file that met a full disk.
-class Hdf5OutputFile {
- public:
-  /// @param partial an empty file, which `file` has open
-  Hdf5OutputFile(const std::filesystem::path& partial, OutputFile& file);
-  hid_t root() const { return file_; }
-  /// Before so many bytes of content are written, and what HDF5 writes beside them.
-  void reserve(std::size_t bytes) const;
-  void close();
-
- private:
-  OutputFile& output_;
-  Hdf5Handle file_;
-};
-
 /// Writes into one group. No times are stored, and sizes and types are fixed: the same content
 /// gives the same bytes.
 class Hdf5Writer {
  public:
   static constexpr bool reads = false;
-  explicit Hdf5Writer(const Hdf5OutputFile& file)
-      : group_(H5Gopen2(file.root(), "/", H5P_DEFAULT), H5Gclose, "open /"), file_(file) {}
+  explicit Hdf5Writer(const Hdf5OutputFile& file);
+  /// Writes nothing: what the file holds is compared, byte for byte, with what would be written.
+  static Hdf5Writer comparing(const std::filesystem::path& file);
 
   Hdf5Writer group(const std::string& name) const;  ///< one that is there, or a new one
   void attribute(const std::string& name, const std::string& text) const;
@@ -56,16 +42,31 @@ class Hdf5Writer {
              const std::vector<std::string>& values) const;
 
  private:
-  Hdf5Writer(Hdf5Handle group, const Hdf5OutputFile& file)
+  Hdf5Writer(Hdf5Handle group, const Hdf5OutputFile* file)
       : group_(std::move(group)), file_(file) {}
   void write(const std::string& name, const Label& label, const Dims& dims, hid_t in_file,
              hid_t in_memory, std::span<const std::byte> values) const;
+  void write_attribute(hid_t object, const std::string& name, hid_t in_file, hid_t in_memory,
+                       std::span<const std::byte> value) const;
   void write_text_attribute(hid_t object, const std::string& name, const std::string& text) const;
   Hdf5Handle group_;
-  const Hdf5OutputFile& file_;
+  const Hdf5OutputFile* file_;  ///< null: compares
 };
 
-/// Reads from one group of a file; every trouble is an Hdf5Error that names the dataset.
+/// The memory that what is read from one file may still take.
+class ReadBudget {
+ public:
+  /// 64 MiB, and no more for each byte of the file than deflate makes of one.
+  explicit ReadBudget(std::uintmax_t file_size)
+      : left_((std::uintmax_t{64} << 20) + file_size * most_inflated) {}
+  void take(const std::string& name, std::uintmax_t count, std::uintmax_t bytes_of_each);
+
+ private:
+  std::uintmax_t left_;
+};
+
+/// Reads from one group of a file; every trouble is an Hdf5Error that names the dataset. What all
+/// readers of the file read together is within its ReadBudget.
 class Hdf5Reader {
  public:
   static constexpr bool reads = true;
@@ -73,7 +74,7 @@ class Hdf5Reader {
 
   Hdf5Reader group(const std::string& name) const;
   bool has(const std::string& name) const;
-  /// The first side; refused where so many rows need far more memory than the file has bytes.
+  /// The first side, where the budget has room for so many rows.
   std::size_t row_count(const std::string& name, std::size_t rank, std::size_t row_bytes) const;
   void attribute(const std::string& name, std::string& text) const;
   void attribute(const std::string& name, double& value) const;
@@ -82,6 +83,7 @@ class Hdf5Reader {
   void array(const std::string& name, const Label&, Dims& dims,
              std::vector<T, Allocator>& values) const {
     const Array array = open_array(name, dims);
+    budget_->take(name, array.count, sizeof(T));
     values.resize(array.count);
     read(array, name, dims, file_type<T>(), memory_type<T>(),
          std::as_writable_bytes(std::span(values)));
@@ -90,8 +92,8 @@ class Hdf5Reader {
              std::vector<std::string>& values) const;
 
  private:
-  Hdf5Reader(Hdf5Handle group, std::uintmax_t file_size)
-      : group_(std::move(group)), file_size_(file_size) {}
+  Hdf5Reader(Hdf5Handle group, const Hdf5Reader& above)
+      : group_(std::move(group)), file_size_(above.file_size_), budget_(above.budget_) {}
   void expect_own(const std::string& name) const;
   struct Array {
     Hdf5Handle dataset;
@@ -103,6 +105,7 @@ class Hdf5Reader {
             hid_t in_memory, std::span<std::byte> values) const;
   Hdf5Handle group_;
   std::uintmax_t file_size_;  ///< no dataset has more bytes there
+  std::shared_ptr<ReadBudget> budget_;
 };
 
 }  // namespace glissade

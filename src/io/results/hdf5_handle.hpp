@@ -24,7 +24,7 @@ T checked(T result, const std::string& doing) {
   return result;
 }
 
-/// An HDF5 object that is closed at the end of its scope.
+/// An HDF5 object that is closed at the end of its scope; close_now() where closing may write.
 class Hdf5Handle {
  public:
   using Close = herr_t (*)(hid_t);
@@ -35,23 +35,30 @@ class Hdf5Handle {
   Hdf5Handle(const Hdf5Handle&) = delete;
   Hdf5Handle& operator=(const Hdf5Handle&) = delete;
   Hdf5Handle& operator=(Hdf5Handle&&) = delete;
-  ~Hdf5Handle() {
-    if (id_ >= 0) close_(id_);
-  }
+  ~Hdf5Handle() { close(); }
   operator hid_t() const { return id_; }
-  void close_now(const std::string& doing) {
-    checked(close_(std::exchange(id_, H5I_INVALID_HID)), doing);
-  }
+  /// Negative where libhdf5 could not.
+  herr_t close() { return id_ < 0 ? 0 : close_(std::exchange(id_, H5I_INVALID_HID)); }
+  void close_now(const std::string& doing) { checked(close(), doing); }
 
  private:
   hid_t id_;
   Close close_;
 };
 
-/// Keeps HDF5 from printing its own error stack while it lives.
+/// Creation properties without times.
+inline Hdf5Handle timeless(hid_t property_class) {
+  Hdf5Handle properties(H5Pcreate(property_class), H5Pclose, "make properties");
+  checked(H5Pset_obj_track_times(properties, false), "leave times out");
+  return properties;
+}
+
+/// Keeps HDF5 from printing its own error stack while it lives, and from crashing at the end of the
+/// process when it could not close a file.
 class Hdf5Silence {
  public:
   Hdf5Silence() {
+    H5dont_atexit();
     H5Eget_auto2(H5E_DEFAULT, &print_, &data_);
     H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
   }

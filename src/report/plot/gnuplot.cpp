@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fcntl.h>
 #include <spawn.h>
+#include <sys/mman.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -9,24 +10,52 @@
 #include <system_error>
 
 #include "glissade/core/error.hpp"
+#include "glissade/core/file.hpp"
+#include "glissade/core/output_file.hpp"
 #include "plot/script.hpp"
 
 namespace glissade::gnuplot {
 namespace {
 
-[[noreturn]] void throw_failed(const std::filesystem::path& folder, const std::string& script,
-                               const std::string& why) {
-  throw InputError(
-      {(folder / script).string(), "gnuplot could not draw this figure: " + why,
-       "see whether `gnuplot " + script + "` works there, and whether the disk has room", ""});
+[[noreturn]] void throw_failed(const std::filesystem::path& script, const std::string& why) {
+  throw InputError({script.string(), "gnuplot could not draw this figure: " + why,
+                    "see whether `gnuplot " + script.filename().string() +
+                        "` works there, and whether there is "
+                        "memory",
+                    ""});
 }
+
+std::string text_of(int error_number) { return std::generic_category().message(error_number); }
+
+/// A file in memory that the child has open too, by the same number.
+class MemoryFile {
+ public:
+  explicit MemoryFile(const std::filesystem::path& shown)
+      : file_(::memfd_create("figure", MFD_CLOEXEC), shown) {}
+  int descriptor() const { return file_.descriptor(); }
+  std::string name() const { return "/dev/fd/" + std::to_string(descriptor()); }
+  void write(const std::string& text) { file_.write(text); }
+  void share(posix_spawn_file_actions_t& actions) const {
+    posix_spawn_file_actions_adddup2(&actions, descriptor(), descriptor());
+  }
+  /// What was drawn, to its last word.
+  std::string read(const std::filesystem::path& script, const std::string& last_word) const {
+    std::string text = read_text_file(name());
+    const std::size_t at = text.rfind(last_word);
+    if (at == std::string::npos || text.size() - at > last_word.size() + 2)
+      throw_failed(script, "what it drew is incomplete");
+    return text;
+  }
+
+ private:
+  OutputFile file_;
+};
 
 /// The reading end of a pipe on the child's standard error.
 class Pipe {
  public:
-  Pipe() {
-    if (::pipe2(ends_.data(), O_CLOEXEC) != 0)
-      throw std::system_error(errno, std::generic_category(), "pipe");
+  explicit Pipe(const std::filesystem::path& script) {
+    if (::pipe2(ends_.data(), O_CLOEXEC) != 0) throw_failed(script, text_of(errno));
   }
   Pipe(const Pipe&) = delete;
   Pipe& operator=(const Pipe&) = delete;
@@ -56,16 +85,23 @@ class Pipe {
 
 }  // namespace
 
-void run(const std::filesystem::path& folder, const std::string& script) {
-  Pipe errors;
+// gnuplot does not notice what it could not write, so it writes to no disk.
+Drawn draw(const Figure& figure, const std::filesystem::path& folder) {
+  const std::filesystem::path shown = folder / (figure.name + ".gp");
+  const MemoryFile svg(shown), pdf(shown);
+  MemoryFile script(shown);
+  script.write(script_of(figure, {svg.descriptor(), pdf.descriptor()}));
+  Pipe errors(shown);
   posix_spawn_file_actions_t actions;
   posix_spawn_file_actions_init(&actions);
   posix_spawn_file_actions_addchdir_np(&actions, folder.c_str());
   posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
   posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
   posix_spawn_file_actions_adddup2(&actions, errors.write_end(), STDERR_FILENO);
+  for (const MemoryFile* file : {&svg, &pdf, static_cast<const MemoryFile*>(&script)})
+    file->share(actions);
 
-  std::string program = "gnuplot", option = "--default-settings", argument = script;
+  std::string program = "gnuplot", option = "--default-settings", argument = script.name();
   std::array<char*, 4> arguments = {program.data(), option.data(), argument.data(), nullptr};
   pid_t child = 0;
   const int spawn_error =
@@ -77,17 +113,17 @@ void run(const std::filesystem::path& folder, const std::string& script) {
                       "then make the report from the results file",
                       ""});
   }
-  if (spawn_error != 0) throw_failed(folder, script, std::generic_category().message(spawn_error));
+  if (spawn_error != 0) throw_failed(shown, text_of(spawn_error));
 
   errors.close_write_end();
   const std::string message = errors.read_all();
   int status = 0;
   while (::waitpid(child, &status, 0) < 0) {
-    if (errno != EINTR) throw_failed(folder, script, std::generic_category().message(errno));
+    if (errno != EINTR) throw_failed(shown, text_of(errno));
   }
-  if (!WIFEXITED(status) || WEXITSTATUS(status) != 0) {
-    throw_failed(folder, script, message.empty() ? "it stopped without saying why" : message);
-  }
+  if (!WIFEXITED(status) || WEXITSTATUS(status) != 0)
+    throw_failed(shown, message.empty() ? "it stopped without saying why" : message);
+  return {svg.read(shown, "</svg>"), pdf.read(shown, "%%EOF")};
 }
 
 }  // namespace glissade::gnuplot

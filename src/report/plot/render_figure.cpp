@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <cctype>
 
-#include "glissade/core/error.hpp"
 #include "glissade/core/file.hpp"
 #include "glissade/report/figure.hpp"
 #include "plot/labels.hpp"
@@ -14,18 +13,6 @@ void replace_all(std::string& text, const std::string& from, const std::string& 
   for (std::size_t at = 0; (at = text.find(from, at)) != std::string::npos; at += to.size()) {
     text.replace(at, from.size(), to);
   }
-}
-
-/// Reads what gnuplot wrote and checks that it is complete: gnuplot itself does not notice a full
-/// disk.
-std::string whole_drawing(const std::filesystem::path& path, const std::string& last_word) {
-  std::string drawing = read_text_file(path);
-  const std::size_t at = drawing.rfind(last_word);
-  if (at == std::string::npos || drawing.size() - at > last_word.size() + 2) {
-    throw InputError(
-        {path.string(), "is incomplete after gnuplot drew it", "see whether the disk is full", ""});
-  }
-  return drawing;
 }
 
 /// Cairo writes the time of day as (D:YYYYMMDDhhmmssZ) and heeds no SOURCE_DATE_EPOCH; the digits
@@ -46,20 +33,16 @@ void remove_creation_date(std::string& pdf) {
 void render_figure(const Figure& figure, const std::filesystem::path& folder) {
   write_text_file(folder / (figure.name + ".dat"), gnuplot::data_of(figure));
   write_text_file(folder / (figure.name + ".gp"), gnuplot::script_of(figure));
-  gnuplot::run(folder, figure.name + ".gp");
+  gnuplot::Drawn drawn = gnuplot::draw(figure, folder);
 
-  const std::filesystem::path svg_path = folder / (figure.name + ".svg");
-  std::string svg = whole_drawing(svg_path, "</svg>");
   // Names unique to the figure, so that one page can contain several drawings.
-  replace_all(svg, "id='gp", "id='" + figure.name.text() + "_gp");
-  replace_all(svg, "'#gp", "'#" + figure.name.text() + "_gp");
-  replace_all(svg, "id=\"gnuplot_canvas\"", "id=\"" + figure.name.text() + "_canvas\"");
-  write_text_file(svg_path, with_tooltips(svg, figure));
+  replace_all(drawn.svg, "id='gp", "id='" + figure.name.text() + "_gp");
+  replace_all(drawn.svg, "'#gp", "'#" + figure.name.text() + "_gp");
+  replace_all(drawn.svg, "id=\"gnuplot_canvas\"", "id=\"" + figure.name.text() + "_canvas\"");
+  write_text_file(folder / (figure.name + ".svg"), with_tooltips(drawn.svg, figure));
 
-  const std::filesystem::path pdf_path = folder / (figure.name + ".pdf");
-  std::string pdf = whole_drawing(pdf_path, "%%EOF");
-  remove_creation_date(pdf);
-  write_text_file(pdf_path, pdf);
+  remove_creation_date(drawn.pdf);
+  write_text_file(folder / (figure.name + ".pdf"), drawn.pdf);
 }
 
 }  // namespace glissade

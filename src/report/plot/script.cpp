@@ -282,9 +282,16 @@ Figure labelled(Figure figure) {
   return figure;
 }
 
+void add_output(Script& script, const Figure& figure, Word ending, int descriptor) {
+  if (descriptor < 0)
+    script.add("set output '{}.{}'\n", figure.name, ending);
+  else
+    script.add("set output '/dev/fd/{}'\n", descriptor);
+}
+
 }  // namespace
 
-std::string script_of(const Figure& unlabelled) {
+std::string script_of(const Figure& unlabelled, const Drawings& to) {
   const Figure figure = labelled(unlabelled);
   const int rows = key_rows(figure);
   // As wide as a printed page has room for letters of 9 pt and more.
@@ -305,16 +312,16 @@ std::string script_of(const Figure& unlabelled) {
       figure.name, figure.key_columns > 1 ? Word("horizontal") : Word("vertical"),
       figure.key_columns);
   script.add(
-      "set terminal svg enhanced dynamic size {1},{2} background rgb 'white' font 'Arial,16' "
-      "name '{3}'\n"
-      "set output '{0}.svg'\n",
-      figure.name, width_px, height_px, identifier(figure.name));
+      "set terminal svg enhanced dynamic size {},{} background rgb 'white' font 'Arial,16' "
+      "name '{}'\n",
+      width_px, height_px, identifier(figure.name));
+  add_output(script, figure, "svg", to.svg);
   add_panels(script, figure);
   script.add(
-      "set terminal pdfcairo enhanced color size {1:.3f},{2:.3f} background rgb 'white' "
-      "font 'Arial,9.5' fontscale 0.75\n"  // 9.5 pt; the usual 0.5 gives 6.3
-      "set output '{0}.pdf'\n",
-      figure.name, width_px / px_per_inch, height_px / px_per_inch);
+      "set terminal pdfcairo enhanced color size {:.3f},{:.3f} background rgb 'white' "
+      "font 'Arial,9.5' fontscale 0.75\n",  // 9.5 pt; the usual 0.5 gives 6.3
+      width_px / px_per_inch, height_px / px_per_inch);
+  add_output(script, figure, "pdf", to.pdf);
   if (figure.panels.size() > 1) {
     add_panels(script, figure);
     return script.str();

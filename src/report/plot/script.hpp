@@ -64,13 +64,20 @@ class Script {
 
 /// The name of a figure as gnuplot's terminal takes it, without -.
 FileName identifier(const FileName& name);
-/// The script of a figure: it writes NAME.svg and NAME.pdf from NAME.dat.
-std::string script_of(const Figure& figure);
+/// Where a script draws to: NAME.svg and NAME.pdf in its folder, or files that are open.
+struct Drawings {
+  int svg = -1, pdf = -1;  ///< file descriptors
+};
+/// The script of a figure, which draws NAME.dat.
+std::string script_of(const Figure& figure, const Drawings& to = {});
 /// NAME.dat: a block for each series with numbers, in order.
 std::string data_of(const Figure& figure);
 
-/// Runs `gnuplot --default-settings script` in `folder`. Throws InputError if it is missing or
-/// fails.
-void run(const std::filesystem::path& folder, const std::string& script);
+/// What gnuplot draws of NAME.dat in `folder`, where it writes nothing. Throws InputError if it is
+/// missing or fails.
+struct Drawn {
+  std::string svg, pdf;
+};
+Drawn draw(const Figure& figure, const std::filesystem::path& folder);
 
 }  // namespace glissade::gnuplot

@@ -98,8 +98,8 @@ TEST(hdf5_chunks, are_the_same_bytes_by_any_number_of_threads) {
 }
 
 /// What reading says of a file in which x is replaced.
-template <class Replace>
-std::string refusal(const Replace& replace) {
+template <class Replace, class Read>
+std::string refusal(const Replace& replace, const Read& read_it) {
   const TemporaryFolder folder;
   const auto file = folder.path() / "a.h5";
   write<double>(file, {1}, {0.0});
@@ -108,7 +108,11 @@ std::string refusal(const Replace& replace) {
   replace(id);
   EXPECT_GE(H5Fclose(id), 0);
   test::renew_checksum(file);
-  return message_of([&] { read<double>(file, 1); });
+  return message_of([&] { read_it(file); });
+}
+template <class Replace>
+std::string refusal(const Replace& replace) {
+  return refusal(replace, [](const std::filesystem::path& file) { read<double>(file, 1); });
 }
 
 constexpr hsize_t side = 1 << 17;
@@ -190,7 +194,89 @@ TEST(hdf5_chunks, of_far_more_rows_than_the_file_has_bytes_are_refused) {
     return count;
   };
   EXPECT_EQ(rows(sizeof(double)), side);
-  EXPECT_THAT(message_of([&] { rows(1 << 12); }), test::states("x", "more rows"));
+  EXPECT_THAT(message_of([&] { rows(1 << 12); }), test::states("x", "far more memory"));
+}
+
+// Each by itself is within the bound.
+TEST(hdf5_chunks, that_together_need_far_more_memory_than_the_file_has_bytes_are_refused) {
+  const TemporaryFolder folder;
+  const auto file = folder.path() / "a.h5";
+  write<double>(file, {side}, std::vector<double>(side));
+  const auto reads = [&](int times) {
+    read_results_of(kind, file, [&](const Hdf5Reader& root) {
+      std::vector<double> values;
+      Dims dims(1);
+      for (int i = 0; i < times; ++i) root.array("x", {}, dims, values);
+    });
+  };
+  reads(64);  // MiB
+  EXPECT_THAT(message_of([&] { reads(200); }), test::states("x", "far more memory"));
+}
+
+// Letters of a byte each would become strings of 32.
+TEST(hdf5_chunks, of_text_are_refused) {
+  const auto text = [](hid_t file) {
+    const hsize_t count = 60'000'000;
+    const hid_t creation = H5Pcreate(H5P_DATASET_CREATE);
+    set_chunks(creation, {{count}, 1});
+    const hid_t space = H5Screate_simple(1, &count, nullptr);
+    const Hdf5Handle type = text_type(1);
+    const hid_t set = H5Dcreate2(file, "x", type, space, H5P_DEFAULT, creation, H5P_DEFAULT);
+    const std::string letters(count, 'a');
+    EXPECT_GE(H5Dwrite(set, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, letters.data()), 0);
+    H5Dclose(set);
+    H5Sclose(space);
+  };
+  const auto read_text = [](const std::filesystem::path& file) { read<std::string>(file, 1); };
+  EXPECT_THAT(refusal(text, read_text), test::states("x", "chunks"));
+}
+
+struct Content {
+  std::string text = "a";
+  double number = 0.5;
+  std::vector<double> small{1.0, 2.0}, large = std::vector<double>(side, 3.0);
+  std::vector<std::string> texts{"b", "cd"};
+  Dims dims{2, side / 2};
+  const char* unit = "m";
+  std::string group = "g";
+
+  void operator()(const Hdf5Writer& root) const {
+    root.attribute("text", text);
+    root.attribute("number", number);
+    const Hdf5Writer in = root.group(group);
+    in.array("small", {unit, "values"}, {small.size()}, small);
+    in.array("large", {"m", "values"}, dims, large);
+    in.array("texts", {"-", "texts"}, {texts.size()}, texts);
+  }
+};
+
+TEST(hdf5_content, that_is_compared_is_the_same_to_the_last_bit_or_named) {
+  const TemporaryFolder folder;
+  const auto file = folder.path() / "a.h5";
+  write_results_of(kind, file, Content());
+  const auto difference = [&](auto change) -> std::string {
+    const Hdf5Silence silence;
+    Content other;
+    change(other);
+    try {
+      other(Hdf5Writer::comparing(file));
+    } catch (const Hdf5Error& error) {
+      return error.what();
+    }
+    return "";
+  };
+  EXPECT_EQ(difference([](Content&) {}), "");
+  EXPECT_THAT(difference([](Content& c) { c.text = "b"; }), test::states("text"));
+  EXPECT_THAT(difference([](Content& c) { c.text = "aa"; }), test::states("text"));
+  EXPECT_THAT(difference([](Content& c) { c.number = -0.5; }), test::states("number"));
+  EXPECT_THAT(difference([](Content& c) { c.unit = "s"; }), test::states("unit"));
+  EXPECT_THAT(difference([](Content& c) { c.small[1] = std::nextafter(2.0, 3.0); }),
+              test::states("small"));
+  EXPECT_THAT(difference([](Content& c) { c.small.push_back(3.0); }), test::states("small"));
+  EXPECT_THAT(difference([](Content& c) { c.large.back() = -3.0; }), test::states("large"));
+  EXPECT_THAT(difference([](Content& c) { std::ranges::reverse(c.dims); }), test::states("large"));
+  EXPECT_THAT(difference([](Content& c) { c.texts[0] = "e"; }), test::states("texts"));
+  EXPECT_THAT(difference([](Content& c) { c.group = "h"; }), test::states("h"));
 }
 
 }  // namespace

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "glissade/core/input_file.hpp"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <system_error>
+
+#include "glissade/core/error.hpp"
+
+namespace glissade {
+
+namespace fs = std::filesystem;
+
+bool leads_to_an_open_file(fs::path path) {
+  std::error_code ignored;
+  while (fs::is_symlink(path, ignored)) {
+    const fs::path folder = fs::absolute(path, ignored).parent_path();
+    if (fs::canonical(folder, ignored).string().starts_with("/proc/")) return true;
+    path = folder / fs::read_symlink(path, ignored);
+  }
+  return false;
+}
+
+InputFile::InputFile(const fs::path& path)
+    : path_(path), fd_{::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC)} {
+  if (fd_ < 0) fail(errno);
+  try {
+    struct stat status {};
+    if (::fstat(fd_, &status) != 0) fail(errno);
+    if (S_ISDIR(status.st_mode)) fail(EISDIR);
+    if (S_ISREG(status.st_mode)) return;
+    if (!S_ISFIFO(status.st_mode) || !leads_to_an_open_file(path)) {
+      throw InputError({path.string(), "is no regular file but a pipe, a device or a socket",
+                        "give the path of a regular file", ""});
+    }
+    if (::fcntl(fd_, F_SETFL, 0) != 0) fail(errno);  // its reads wait for what is written
+  } catch (...) {
+    ::close(fd_);
+    throw;
+  }
+}
+
+InputFile::~InputFile() { ::close(fd_); }
+
+std::uint64_t InputFile::size() const {
+  struct stat status {};
+  if (::fstat(fd_, &status) != 0) fail(errno);
+  return static_cast<std::uint64_t>(status.st_size);
+}
+
+std::size_t InputFile::read(std::span<char> bytes) const {
+  for (;;) {
+    const ssize_t count = ::read(fd_, bytes.data(), bytes.size());
+    if (count >= 0) return static_cast<std::size_t>(count);
+    if (errno != EINTR) fail(errno);
+  }
+}
+
+void InputFile::seek(std::uint64_t offset) const {
+  if (::lseek(fd_, static_cast<off_t>(offset), SEEK_SET) < 0) fail(errno);
+}
+
+void InputFile::fail(int error_number) const {
+  throw InputError({path_.string(),
+                    "cannot be read: " + std::generic_category().message(error_number),
+                    "check that the file exists and that you may read it", ""});
+}
+
+}  // namespace glissade
