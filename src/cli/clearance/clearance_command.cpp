@@ -11,6 +11,7 @@
 #include "commands.hpp"
 #include "glissade/core/error.hpp"
 #include "glissade/core/file.hpp"
+#include "glissade/core/output_file.hpp"
 #include "glissade/design/design_clearance.hpp"
 #include "glissade/io/example_file.hpp"
 #include "glissade/io/journal.hpp"
@@ -159,7 +160,11 @@ class Calculation {
       identity_ = now;
       if (!resumes) check_calculation_folder(out_, options_.overwrite);
       make_folder(out_);
-      for (const char* name : {"package.html", "package.json"}) fs::remove(out_ / name);  // earlier
+      for (const char* name : {"package.html", "package.json"}) {  // earlier
+        std::error_code error;
+        fs::remove(out_ / name, error);
+        if (error) throw_io_error(out_ / name, "cannot be removed", error.value());
+      }
       write_begun_calculation(identity_, "started", out_);
     });
     std::vector<char> out = path_text(out_);
