@@ -2,8 +2,8 @@
 // Loaded into glissade by LD_PRELOAD, not into its children: a disk to which some calls of the
 // system fail, memory that ends, and a clock that is set while the program runs.
 //   FAULT_ERRNO=28 FAULT_FROM=17   from the 17th call on that writes, each fails with that error
-//   FAULT_ERRNO=5 FAULT_AT=17      the 17th only
-//   FAULT_CALLS=pwrite,fsync       of these functions only, which may be read, pread and mmap too
+//   FAULT_ERRNO=5 FAULT_AT=17      the 17th only; FAULT_ERRNO=0: what pwrite writes is lost
+//   FAULT_CALLS=pwrite,fsync       of these functions only, which may be read and pread too
 //   FAULT_IN=out/journal           of those in paths with these words
 //   FAULT_COUNT=FILE               how many such calls there were of each function
 //   FAULT_MEMORY=1                 no more memory once a file of these is flushed to the disk
@@ -36,7 +36,7 @@ struct Function {
 Function functions[] = {{"open", true},      {"write", true},     {"pwrite", true}, {"fsync", true},
                         {"ftruncate", true}, {"fallocate", true}, {"close", true},  {"mkdir", true},
                         {"rename", true},    {"remove", true},    {"access", true}, {"read", false},
-                        {"pread", false},    {"mmap", false}};
+                        {"pread", false},    {"mmap", true}};
 std::atomic<long> calls = 0, clock_calls = 0;
 
 bool is_glissade() { return strcmp(program_invocation_short_name, "glissade") == 0; }
@@ -155,7 +155,7 @@ ssize_t write(int fd, const void* data, size_t size) {
   return next<ssize_t (*)(int, const void*, size_t)>("write")(fd, data, size);
 }
 ssize_t pwrite(int fd, const void* data, size_t size, off_t at) {
-  if (is_meant(fd) && fails("pwrite")) return -1;
+  if (is_meant(fd) && fails("pwrite")) return errno == 0 ? static_cast<ssize_t>(size) : -1;
   return next<ssize_t (*)(int, const void*, size_t, off_t)>("pwrite")(fd, data, size, at);
 }
 ssize_t pwrite64(int fd, const void* data, size_t size, off64_t at) {
@@ -178,12 +178,10 @@ int fsync(int fd) {
 int ftruncate(int fd, off_t size) noexcept {
   return is_meant(fd) && fails("ftruncate") ? -1 : next<int (*)(int, off_t)>("ftruncate")(fd, size);
 }
-int ftruncate64(int fd, off64_t size) noexcept { return ftruncate(fd, size); }
 int posix_fallocate(int fd, off_t at, off_t size) {
   if (is_meant(fd) && fails("fallocate")) return errno;
   return next<int (*)(int, off_t, off_t)>("posix_fallocate")(fd, at, size);
 }
-int posix_fallocate64(int fd, off64_t at, off64_t size) { return posix_fallocate(fd, at, size); }
 int close(int fd) {
   const bool failed = is_meant(fd) && writes(fd) && fails("close");
   const int error = errno, status = next<int (*)(int)>("close")(fd);

@@ -5,6 +5,7 @@
 #include <cerrno>
 #include <cstdlib>
 #include <functional>
+#include <limits>
 #include <map>
 #include <nlohmann/json.hpp>
 
@@ -13,8 +14,8 @@
 #include "cli/small_study.hpp"
 
 // What the program does where a call of the system fails (faults.cpp), memory ends
-// (faults_memory.cpp) or the clock is set. GLISSADE_FAULTS=all: each call in turn, every error, for
-// tests/verification/reliability.md.
+// (faults_memory.cpp) or the clock is set. GLISSADE_FAULTS=all: each call in turn, or so many of
+// each function, for tests/verification/reliability.md.
 namespace glissade::test {
 namespace {
 
@@ -52,7 +53,12 @@ std::string difference(const std::map<std::string, std::string>& a,
   return "";
 }
 
-bool tries_all() { return getenv("GLISSADE_FAULTS") != nullptr; }
+/// Calls of each function that are made to fail; 0: one in each of two outputs.
+long wanted_calls() {
+  const char* wanted = getenv("GLISSADE_FAULTS");
+  if (wanted == nullptr) return 0;
+  return std::string(wanted) == "all" ? std::numeric_limits<long>::max() : atol(wanted);
+}
 
 class Faults : public OneRun<short_study> {
  protected:
@@ -190,10 +196,13 @@ class FaultWalk : public Faults {
         return calls.contains(function) ? calls.at(function) : 0;
       };
       const long calls = tallies_[function].calls = calls_of(is_memory ? count(kind) : all);
-      if (tries_all() || is_memory) {
-        const long most = is_memory ? (tries_all() ? 300 : 6) : calls;  // allocations are many
-        const long step = 1 + calls / (most + 1);
-        for (long at = tries_all() ? 1 : step; at <= calls; at += step) {
+      if (wanted_calls() > 0 || is_memory) {
+        constexpr long few = 6, many = 1000;  // allocations are 100,000
+        const long most = !is_memory           ? std::min(wanted_calls(), calls)
+                          : wanted_calls() > 0 ? std::min(wanted_calls(), many)
+                                               : few;
+        const long step = std::max(1L, calls / std::max(1L, most));
+        for (long at = step; at <= calls; at += step) {
           for (const bool only : {true, false})
             fail(function, kind, kind.errors[at % kind.errors.size()], only, at);
         }
@@ -266,6 +275,29 @@ TEST_F(FaultWalk, a_calculation_package_to_which_any_call_fails_is_whole_or_repo
   };
   walk({"package", line, prepare, line, {"tables", "figures", "package.html", "run.json"}},
        disk_functions);
+}
+TEST_F(FaultWalk, results_of_which_the_disk_loses_a_part_without_a_word_are_found_out) {
+  const Walked run = a_run(study_, again_.string());
+  ASSERT_NO_FATAL_FAILURE(begin(run));
+  const Kind kind = kind_of("pwrite");
+  const long calls = tallies_["pwrite"].calls = count(kind).at("pwrite"),
+             step = std::max(1L, calls / (wanted_calls() > 0 ? wanted_calls() : 4));
+  for (long at = step; at <= calls; at += step) fail("pwrite", kind, 0, true, at);
+  fail("pwrite", kind, 0, true, calls);  // the checksum
+  print();
+  EXPECT_GT(tallies_["pwrite"].reported, 0);
+}
+/// Two million histories at rest, which are in pages of a file.
+TEST_F(FaultWalk, a_run_whose_histories_get_no_pages_reports_it_and_can_be_begun_again) {
+  std::string levels = "levels = [0.01";
+  for (int i = 2; i <= 80; ++i) levels += ", " + std::to_string(0.01 * i);
+  std::string study = replaced(short_study(), "levels = [0.5, 1.0, 2.0", levels);
+  study = replaced(study, "mean = 0.3", "mean = 1.9");
+  study = replaced(study, "\"sampled\", \"design\"", "\"sampled\"");
+  study = replaced(study, "samples = 2", "samples = 4096");
+  Walked run = a_run(folder_->write("pages.toml", study), again_.string());
+  run.outputs = {"again/#"};  // the file has no name
+  walk(run, {"fallocate", "mmap"});
 }
 TEST_F(FaultWalk, a_run_in_which_memory_ends_at_any_allocation_reports_it_and_states_a_way_on) {
   walk(a_run(study_, again_.string()), {"malloc"});
