@@ -29,13 +29,13 @@ std::string short_study() {
 }
 
 /// Every file of a folder and below it, by its name there: but run.json, which has times, and what
-/// could not be removed of a journal.
+/// could not be removed of a journal or of a file that was not finished.
 std::map<std::string, std::string> files_of(const fs::path& folder) {
   std::map<std::string, std::string> files;
   for (const auto& entry : fs::recursive_directory_iterator(folder)) {
     const std::string name = fs::relative(entry.path(), folder).string();
     if (entry.is_regular_file() && entry.path().filename() != "run.json" &&
-        !name.starts_with("journal/"))
+        !name.starts_with("journal/") && name.find(".partial.") == std::string::npos)
       files[name] = read_file(entry.path());
   }
   return files;
