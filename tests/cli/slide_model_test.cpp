@@ -57,7 +57,8 @@ TEST_F(SlideModel, on_two_axes_it_gives_what_the_library_gives_to_the_last_bit) 
   EXPECT_EQ(json["peak_y_m"], expected.slip.peak_by_axis.across_m);
   EXPECT_EQ(json["srss_m"], srss_of_maxima_m(expected.slip));
   EXPECT_EQ(json["peak_displacement_m"], json["peak_vector_m"]);
-  EXPECT_EQ(json["residual_displacement_m"], expected.slip.residual.along_m);
+  EXPECT_EQ(json["residual_displacement_m"],  // of the vector, as peak_displacement_m
+            std::hypot(expected.slip.residual.along_m, expected.slip.residual.across_m));
   EXPECT_EQ(json["residual_y_m"], expected.slip.residual.across_m);
   EXPECT_EQ(json["path_length_m"], expected.slip.path_length_m);
   EXPECT_EQ(json["peak_base_shear"][1], expected.peak_base_shear[1]);
@@ -167,9 +168,12 @@ TEST_F(SlideModel, each_bad_input_gets_one_clear_message) {
   expect_refused(run({"--period-s", "0.5", "--mass-ratio", "0.1", "--method", "rodriguez-nikl"}),
                  {"--method: needs one axis"});
   expect_refused(run({"--second", "nowhere.txt"}), {"nowhere.txt"});
-  expect_refused(run_program({"slide", first_, "--mu", "5", "--slope-deg", "45", "--period-s",
-                              "0.5", "--mass-ratio", "1"}),
-                 {"--mass-ratio", "no solution"});
+  expect_refused(
+      run_program({"slide", first_, "--mu", "2", "--slope-deg", "45", "--period-s", "0.5",
+                   "--mass-ratio", "1", "--fast-over-slow", "4", "--rate-s-per-m", "1"}),
+      {"--mass-ratio", "no solution"});
+  expect_refused(run_program({"slide", first_, "--mu", "10", "--slope-deg", "1"}),  // as studies
+                 {"--mu: 10", "0 to 2"});
   expect_refused(run({"--period-s", "0.001", "--yield-coefficient", "0.2"}),
                  {"0.001 s", "rigid", "0.02 s"});
   const std::string nanoseconds =

@@ -162,6 +162,8 @@ TEST_F(SuiteSelect, mistakes_are_refused) {
   expect_refused(select({"--edition", "asce7_05", "--ss-g", "1", "--s1-g", "0.4"}),
                  {"asce7_05", "asce7_16"});
   expect_refused(select({"--ss-g", "-1", "--s1-g", "0.2"}), {"--ss-g", "not above 0"});
+  expect_refused(select({"--edition", "asce7_16", "--ss-g", "200", "--s1-g", "0.2"}),
+                 {"--ss-g: 200 g", "percent", "give 2"});
   expect_refused(select({"--level", "9"}), {"9", "0 to 4"});
   expect_refused(select({"--level", "2", "--site-class", "C"}), {"--site-class", "A to D"});
   expect_refused(select(with(a_site, {"--site-class", "E", "--site-classes", "D"})),

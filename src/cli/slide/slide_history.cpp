@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "slide/slide_history.hpp"
 
+#include <cmath>
 #include <limits>
 
 #include "glissade/block/coupled.hpp"
@@ -168,7 +169,7 @@ SlideHistory in_full_model(const SlideOptions& o, const Motion& motion, double f
       slide_on_building(ground, {{factor, factor}, factor}, building, block, thresholds, crossings);
   const TwoAxisResult& t = r.slip;
   h.slip.peak_displacement_m = t.peak_displacement_m;
-  h.slip.residual_displacement_m = t.residual.along_m;
+  h.slip.residual_displacement_m = std::hypot(t.residual.along_m, t.residual.across_m);
   h.slip.peak_downslope_m = t.peak_downslope_m;
   h.slip.peak_upslope_m = t.peak_upslope_m;
   h.slip.peak_velocity_mps = t.peak_velocity_mps;

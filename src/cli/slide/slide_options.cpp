@@ -31,13 +31,6 @@ bool is_option(const Parameter& p) {
          !is(p, "building", "response_modification");
 }
 
-/// A coefficient of friction may be one that no roof has, for comparison with closed forms.
-ParameterRange range_of(const Parameter& p) {
-  return p.key == std::string_view("mu") || p.key == std::string_view("across_mu")
-             ? ParameterRange{0.0, 10.0, "0 to 10"}
-             : p.range;
-}
-
 std::string meaning_of(const Parameter& p) {
   const bool is_required = is(p, "friction", "mu") || is(p, "roof", "slope_deg");
   std::string text = (p.axes == Parameter::Axes::two ? "with --second: " : "") +
@@ -51,11 +44,10 @@ void take_case(SlideOptions& o, ProblemList& problems) {
   for (std::size_t i = 0; i < parameters().size(); ++i) {
     const Parameter& p = parameters()[i];
     if (!o.given[i]) continue;
-    const ParameterRange range = range_of(p);
-    if (!(*o.given[i] >= range.min && *o.given[i] <= range.max && std::isfinite(*o.given[i])))
+    if (!(*o.given[i] >= p.range.min && *o.given[i] <= p.range.max && std::isfinite(*o.given[i])))
       problems.add(
           {option_of(p),
-           fmt::format("{:g} is outside its range: it must be {}", *o.given[i], range.text), "",
+           fmt::format("{:g} is outside its range: it must be {}", *o.given[i], p.range.text), "",
            ""});
     p.of(o.c) = *o.given[i];
   }

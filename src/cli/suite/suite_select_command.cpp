@@ -62,6 +62,12 @@ SiteGroup group_of(const std::string& site_class) {
 DesignTarget target_of_site(const SelectOptions& o) {
   ProblemList problems;
   const auto mapped = [&](const std::optional<double>& value, const char* option) {
+    if (value && *value > most_possible_g) {
+      problems.add({option,
+                    fmt::format("{:g} g: no site has more than {:g} g", *value, most_possible_g),
+                    fmt::format("if it is in percent of g, give {:g}", *value / 100.0), ""});
+      return 1.0;
+    }
     if (value && *value > 0.0) return *value;
     problems.add({option, value ? fmt::format("{} g is not above 0", *value) : "is missing",
                   "give the mapped accelerations of the site, --ss-g and --s1-g, or a --level",

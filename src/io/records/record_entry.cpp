@@ -30,7 +30,9 @@ Motion read_metadata(const TomlTable& record) {
   motion.id = record.required_text("id");
   motion.event = record.text("event").value_or("");
   motion.station = record.text("station").value_or("");
-  motion.magnitude = record.number("magnitude", above_zero).value_or(0.0);
+  constexpr NumberRule magnitude_rule{"above 0, up to 10",
+                                      [](double x) { return x > 0.0 && x <= 10.0; }};
+  motion.magnitude = record.number("magnitude", magnitude_rule).value_or(0.0);
   motion.distance_km = record.number("distance_km", not_negative).value_or(0.0);
   motion.vs30_mps = record.number("vs30_mps", above_zero).value_or(0.0);
   motion.scale = record.number("scale", above_zero).value_or(1.0);

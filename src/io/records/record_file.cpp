@@ -11,6 +11,7 @@
 #include "glissade/core/file.hpp"
 #include "glissade/core/units.hpp"
 #include "glissade/motion/improbable.hpp"
+#include "glissade/motion/intensity.hpp"
 #include "records/at2_header.hpp"
 #include "records/record_units.hpp"
 #include "records/time_column.hpp"
@@ -250,6 +251,16 @@ Record read_columns(const std::filesystem::path& file, std::string_view text,
   return record;
 }
 
+void refuse_impossible(const Record& record) {
+  const double pga_g =
+      peak_ground_acceleration_mps2(record.acceleration_mps2) / standard_gravity_mps2;
+  if (pga_g > most_possible_g)
+    throw InputError({record.name,
+                      fmt::format("PGA of {:.3g} g: no ground has shaken with more than {:g} g",
+                                  pga_g, most_possible_g),
+                      "check its units; a factor is the record's scale", ""});
+}
+
 }  // namespace
 
 Record read_record(const std::filesystem::path& file, const RecordFileOptions& options) {
@@ -264,6 +275,7 @@ Record read_record(const std::filesystem::path& file, const RecordFileOptions& o
   if (record.acceleration_mps2.empty()) {
     throw InputError({file.string(), "the file holds no samples", what_is_read, ""});
   }
+  refuse_impossible(record);
   return record;
 }
 

@@ -8,10 +8,7 @@
 #include <set>
 
 #include "glissade/core/error.hpp"
-#include "glissade/core/units.hpp"
 #include "glissade/io/record_file.hpp"
-#include "glissade/motion/improbable.hpp"
-#include "glissade/motion/intensity.hpp"
 #include "records/record_entry.hpp"
 #include "records/record_finder.hpp"
 #include "study/target_table.hpp"
@@ -86,16 +83,6 @@ class RecordedSuiteReader {
   }
 
  private:
-  static void refuse_impossible(const Record& record) {
-    const double pga_g =
-        peak_ground_acceleration_mps2(record.acceleration_mps2) / standard_gravity_mps2;
-    if (pga_g > most_possible_g)
-      throw InputError({record.name,
-                        fmt::format("PGA of {:.3g} g: no ground has shaken with more than {:g} g",
-                                    pga_g, most_possible_g),
-                        "check its units; a factor is the record's scale", ""});
-  }
-
   std::optional<TimedRecord> load(const TomlTable& record, const char* key) {
     const std::size_t problems_before = record.problem_count();
     auto entry = read_component_entry(record, key);
@@ -103,9 +90,7 @@ class RecordedSuiteReader {
     entry->options.units_if_not_stated = units_;
     try {
       if (const auto path = finder_.find(entry->file)) {
-        TimedRecord found{read_record(*path, entry->options), entry->start_s};
-        refuse_impossible(found.record);
-        return found;
+        return TimedRecord{read_record(*path, entry->options), entry->start_s};
       }
       missing_.push_back(entry->file);
     } catch (const InputError& error) {

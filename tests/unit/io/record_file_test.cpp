@@ -69,14 +69,21 @@ TEST_F(RecordFile, dt_option_overrides_the_one_in_the_header) {
 }
 
 TEST_F(RecordFile, header_units_are_followed_and_checked) {
-  const std::string rest = "NPTS= 1, DT= .01 SEC\n100\n";
-  EXPECT_DOUBLE_EQ(read("ACCELERATION IN UNITS OF CM/S/S\n" + rest).acceleration_mps2[0], 1.0);
-  EXPECT_DOUBLE_EQ(read("ACCELERATION IN UNITS OF M/SEC**2\n" + rest).acceleration_mps2[0], 100.0);
+  const std::string rest = "NPTS= 1, DT= .01 SEC\n50\n";
+  EXPECT_DOUBLE_EQ(read("ACCELERATION IN UNITS OF CM/S/S\n" + rest).acceleration_mps2[0], 0.5);
+  EXPECT_DOUBLE_EQ(read("ACCELERATION IN UNITS OF M/SEC**2\n" + rest).acceleration_mps2[0], 50.0);
   refuses({{"VELOCITY TIME SERIES IN UNITS OF CM/S\n" + rest, "record:1", {"velocity"}},
            {"DISPLACEMENT TIME SERIES IN UNITS OF CM\n" + rest, "record:1", {"displacement"}},
            {"ACCELERATION TIME SERIES IN UNITS OF FURLONGS\n" + rest, "record:1", {"'furlongs'"}}});
   refuses({{at2_head + rest, "record:3", {"m/s2"}}},
           {.dt_s = {}, .units = AccelerationUnits::mps2});
+}
+
+// Of slide as of suites: 4264 m/s2.
+TEST_F(RecordFile, more_than_any_ground_has_shaken_with_is_refused) {
+  refuses({{"ACCELERATION IN UNITS OF M/SEC**2\nNPTS= 2, DT= .01 SEC\n0.5 4264\n",
+            "record",
+            {"435 g", "units"}}});
 }
 
 TEST_F(RecordFile, npts_that_differs_from_the_values_reports_both_counts) {

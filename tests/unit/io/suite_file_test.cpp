@@ -128,6 +128,13 @@ TEST_F(SuiteFile, all_missing_files_are_reported_in_one_error_that_names_the_var
   EXPECT_EQ(problems_of([&] { load(text); }).at(0).excerpt, "  a.AT2\n  b.AT2\n  c.AT2");
 }
 
+TEST_F(SuiteFile, a_magnitude_that_no_earthquake_has_is_refused) {
+  folder_.write("suites/a.txt", "# acceleration_g\n0 1\n0.1 2\n");
+  refuses({{head + "[[record]]\nid = \"a\"\nmagnitude = 69\nfirst = \"a.txt\"\n",
+            "suite.toml:6",
+            {"magnitude = 69", "up to 10"}}});
+}
+
 TEST_F(SuiteFile, mistakes_are_located) {
   folder_.write("suites/a.txt", "# acceleration_g\n0 1\n0.1 2\n");
   folder_.write("suites/bad.txt", "# acceleration_g\n0 1\n0.1 x\n");
