@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
 
+#include <cmath>
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
@@ -58,6 +59,7 @@ Json to_json(const TraceFriction& t) {
           {"max_mu", t.max_mu},
           {"mu_by_displacement", t.mu_by_displacement},
           {"travel_m", t.travel_m},
+          {"speed_mps", std::isnan(t.speed_mps) ? Json() : Json(t.speed_mps)},
           {"sliding_samples", t.sliding_end - t.sliding_begin}};
 }
 

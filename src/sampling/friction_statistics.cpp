@@ -107,9 +107,46 @@ std::vector<std::string> notes_on_trace(const TraceFriction& t) {
   return notes;
 }
 
+/// "A1, A2": the tests of a direction for which something holds; empty for none.
+template <class Holds>
+std::string tests_with(const PullTestSummary& summary, const std::string& direction, Holds holds) {
+  std::string names;
+  for (const TraceFriction& t : summary.tests) {
+    if (t.direction == direction && holds(t)) names += (names.empty() ? "" : ", ") + t.test;
+  }
+  return names;
+}
+
+/// What pull tests are asked for and these do not have.
+std::vector<std::string> notes_on_provision(const PullTestSummary& summary,
+                                            const DirectionFriction& d) {
+  std::vector<std::string> notes;
+  if (d.sliding.tests < least_pull_tests)
+    notes.push_back(fmt::format("{}: {} test{}, fewer than {}", d.direction, d.sliding.tests,
+                                d.sliding.tests == 1 ? "" : "s", least_pull_tests));
+  const auto add = [&](const std::string& tests, const std::string& what) {
+    if (!tests.empty()) notes.push_back(fmt::format("{}: test {}: {}", d.direction, tests, what));
+  };
+  add(tests_with(summary, d.direction,
+                 [&](const TraceFriction& t) {
+                   return summary.rule.sliding_from_m + t.travel_m < least_pull_m;
+                 }),
+      "pulled over less than 3 in");
+  add(tests_with(summary, d.direction,
+                 [](const TraceFriction& t) {
+                   constexpr double rounding = 1e-9;
+                   return t.speed_mps < slowest_pull_mps * (1.0 - rounding) ||
+                          t.speed_mps > fastest_pull_mps * (1.0 + rounding);
+                 }),
+      fmt::format("not pulled at {:g} to {:g} mm/s", 1e3 * slowest_pull_mps,
+                  1e3 * fastest_pull_mps));
+  return notes;
+}
+
 std::vector<std::string> notes_on(const PullTestSummary& summary) {
   std::vector<std::string> notes;
   for (const DirectionFriction& d : summary.directions) {
+    for (std::string& note : notes_on_provision(summary, d)) notes.push_back(std::move(note));
     for (std::string& note : outliers_in(d)) notes.push_back(std::move(note));
     if (d.sliding.mean < least_probable_friction || d.sliding.mean > most_probable_friction)
       notes.push_back(fmt::format(
@@ -122,6 +159,12 @@ std::vector<std::string> notes_on(const PullTestSummary& summary) {
   }
   for (const TraceFriction& test : summary.tests)
     for (std::string& note : notes_on_trace(test)) notes.push_back(std::move(note));
+  const bool knows_speed = std::ranges::any_of(
+      summary.tests, [](const TraceFriction& t) { return !std::isnan(t.speed_mps); });
+  notes.push_back(pull_test_provision() + (summary.tests.empty()
+                                               ? "; travel and speed are not in the file"
+                                           : knows_speed ? ""
+                                                         : "; the speed is not in the file"));
   return notes;
 }
 

@@ -92,7 +92,22 @@ void check_mu(const PullTest& test, const char* which, double mu) {
          "see whether the units in the columns' names are right, and whether the pull is positive");
 }
 
+/// NaN where times are not logged, or do not advance.
+double mean_speed_mps(const PullTest& test, const std::vector<double>& slip_m, Part part) {
+  const double duration_s =
+      test.time_s.empty() ? 0.0 : test.time_s[part.end - 1] - test.time_s[part.begin];
+  return duration_s > 0.0 ? (slip_m[part.end - 1] - slip_m[part.begin]) / duration_s : std::nan("");
+}
+
 }  // namespace
+
+std::string pull_test_provision() {
+  return fmt::format(
+      "laboratories are asked for tests by ASTM G115, and SEAOC PV1-2012 for {} tests or more, "
+      "each "
+      "over 3 in ({:.3g} m) or more at {:g} to {:g} mm/s (recalled: verify)",
+      least_pull_tests, least_pull_m, 1e3 * slowest_pull_mps, 1e3 * fastest_pull_mps);
+}
 
 void validate(const SlidingRule& rule) {
   ProblemList problems;
@@ -131,6 +146,7 @@ TraceFriction friction_of(const PullTest& test, const SlidingRule& rule) {
   f.sliding_std = std::sqrt(squares / (samples - 1.0));
   f.mu_by_displacement = mean_over_displacement(mu, slip_m, part);
   f.travel_m = slip_m[part.end - 1] - slip_m[part.begin];
+  f.speed_mps = mean_speed_mps(test, slip_m, part);
   check_mu(test, "largest before it slips", f.breakaway_mu);
   check_mu(test, "mean while it slides", f.sliding_mu);
   return f;

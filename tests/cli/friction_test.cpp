@@ -70,6 +70,34 @@ TEST_F(Friction, of_one_test_has_null_for_what_is_not_known) {
     EXPECT_TRUE(sliding[key].is_null()) << key;
 }
 
+// 10 mm in a second: at the upper end of 0.1 to 10 mm/s.
+TEST_F(Friction, notes_what_pull_tests_are_asked_for_and_these_do_not_have) {
+  const auto notes = [&](const std::string& text) {
+    return friction_json({folder_.write("noted.csv", text)})["notes"].dump();
+  };
+  const std::string two = two_pulls();
+  EXPECT_THAT(notes(two), states("2 tests, fewer than 3", "G115"));
+  EXPECT_THAT(notes(two), testing::Not(states("not pulled at")));
+  std::string without_time, halved;
+  for (const std::string& line : lines_of(two)) {
+    std::vector<std::string> cells = cells_of(line);
+    const bool is_header = cells[2] == "time_s";
+    if (!is_header) cells[2] = std::to_string(0.5 * std::stod(cells[2]));
+    halved += cells[0] + "," + cells[1] + "," + cells[2] + "," + cells[3] + "," + cells[4] + "," +
+              cells[5] + "\n";
+    without_time +=
+        cells[0] + "," + cells[1] + "," + cells[3] + "," + cells[4] + "," + cells[5] + "\n";
+  }
+  EXPECT_THAT(notes(halved), states("test 500, 600: not pulled at 0.1 to 10 mm/s"));
+  EXPECT_THAT(notes(without_time), states("the speed is not in the file"));
+  std::string shorter;
+  for (const std::string& line : lines_of(two))
+    if (line.find(",80,") == std::string::npos && line.find(",90,") == std::string::npos &&
+        line.find(",100,") == std::string::npos)
+      shorter += line + "\n";
+  EXPECT_THAT(notes(shorter), states("test 500, 600: pulled over less than 3 in"));
+}
+
 TEST_F(Friction, text_shows_the_tables_and_the_doubts) {
   const Finished child = run_program({"friction", example});
   EXPECT_EQ(child.status, 0) << child.err;

@@ -13,6 +13,13 @@ inline constexpr double least_probable_friction = 0.2, most_probable_friction = 
 /// a decimal point.
 inline constexpr double largest_friction = 2.0;
 
+/// What pull tests are asked for, all recalled: verify against ASTM G115 and SEAOC PV1-2012.
+inline constexpr std::size_t least_pull_tests = 3;
+inline constexpr double least_pull_m = 0.0762;  ///< 3 in
+inline constexpr double slowest_pull_mps = 1e-4, fastest_pull_mps = 1e-2;
+/// The same in a sentence.
+std::string pull_test_provision();
+
 /// One pull of an array, or of a part of one, over a roof membrane, as logged.
 struct PullTest {
   std::string test;                    ///< name given by the user; unique within a direction
@@ -21,6 +28,7 @@ struct PullTest {
   std::vector<double> displacement_m;  ///< positive along the pull, from any zero
   std::vector<double> force_n;         ///< as many: of the pull
   std::vector<double> normal_n;        ///< as many: between array and roof, > 0
+  std::vector<double> time_s;          ///< as many, or none: not logged
 };
 
 /// Division of a trace into parts. Displacement counts from the first sample of the test.
@@ -45,6 +53,7 @@ struct TraceFriction {
   double min_mu, max_mu;      ///< of these samples
   double mu_by_displacement;  ///< mean over displacement (trapezoids): dissipates the same work
   double travel_m;            ///< of the sliding part
+  double speed_mps;           ///< its mean; NaN where times are not logged
 };
 
 /// Throws InputError at the place of the test if the array does not slide or is pushed backwards,

@@ -73,7 +73,7 @@ class TestBuilder {
     if (tests_.empty() || tests_.back().test != row.test ||
         tests_.back().direction != row.direction) {
       const auto [first, is_new] = begins_.try_emplace({row.test, row.direction}, line);
-      tests_.push_back({row.test, row.direction, place(file_, line), {}, {}, {}});
+      tests_.push_back({row.test, row.direction, place(file_, line), {}, {}, {}, {}});
       last_time_s_.reset();
       if (!is_new) {
         return {"test " + row.test + " " + row.direction + " already began on line " +
@@ -88,6 +88,7 @@ class TestBuilder {
               "give the rows of a test in order of time, and each test its own name", "time"};
     }
     last_time_s_ = row.time_s;
+    if (row.time_s) tests_.back().time_s.push_back(*row.time_s);
     tests_.back().displacement_m.push_back(row.displacement_m);
     tests_.back().force_n.push_back(row.force_n);
     tests_.back().normal_n.push_back(row.normal_n);

@@ -29,11 +29,12 @@ Table pull_tests_table(const PullTestSummary& summary) {
        {"min_mu", "", "Least"},
        {"max_mu", "", "Largest"},
        {"mu_by_displacement", "", "Mean over displacement"},
-       {"travel", "m", "Travel, m (in)", ColumnKind::length}},
+       {"travel", "m", "Travel, m (in)", ColumnKind::length},
+       {"speed", "m/s", "Speed, m/s"}},
       {}};
   for (const TraceFriction& t : summary.tests) {
     table.add({t.test, t.direction, t.breakaway_mu, t.sliding_mu, t.sliding_std, t.min_mu, t.max_mu,
-               t.mu_by_displacement, t.travel_m});
+               t.mu_by_displacement, t.travel_m, t.speed_mps});
   }
   return table;
 }
