@@ -13,6 +13,9 @@
 #include "glissade/io/example_file.hpp"
 #include "glissade/io/project_file.hpp"
 #include "glissade/io/study_file.hpp"
+#include "glissade/io/suite_file.hpp"
+#include "glissade/motion/improbable.hpp"
+#include "glissade/report/format.hpp"
 #include "output_rule.hpp"
 
 namespace glissade::cli {
@@ -97,6 +100,28 @@ ExampleFile project_file(const InitOptions& o) {
   return file;
 }
 
+/// From a tenth to three times the S_DS of the target; DBE and MCE are among them.
+std::vector<double> levels_around(double sds_g) {
+  std::vector<double> levels;
+  for (const double share : {0.1, 0.25, 0.5, 0.75, 1.0, 1.25, mce_over_dbe, 2.0, 2.5, 3.0}) {
+    const bool is_earthquake = share == 1.0 || share == mce_over_dbe;
+    const double level = share * sds_g;
+    if (is_earthquake || level <= most_probable_g)
+      levels.push_back(rounded_to(level, is_earthquake ? 12 : 3));
+  }
+  return levels;
+}
+
+/// That of the study, else of its suite.
+std::optional<DesignTarget> target_of(const StudyConfig& study) {
+  if (study.intensity.target) return study.intensity.target;
+  try {
+    return read_stated_target(study.suite_files.front()).target;
+  } catch (const InputError&) {
+    return std::nullopt;  // none, which check says
+  }
+}
+
 /// The option whose value a problem of the file is about.
 std::string option_of(const std::string& what) {
   for (const auto& [key, option] : {std::pair{"site_class", "--site-class"},
@@ -115,21 +140,23 @@ std::string option_of(const std::string& what) {
   return "init";
 }
 
-/// Written only if it is read without an error.
-void write_checked(const InitOptions& o, const std::string& text) {
+/// Written only if it is read without an error. The target of a study, if it has one.
+std::optional<DesignTarget> write_checked(const InitOptions& o, const ExampleFile& example) {
+  std::optional<DesignTarget> target;
   write_file(o.file, [&](OutputFile& file, const fs::path& partial) {
-    file.write(text);
+    file.write((o.is_project() ? "" : study_head) + example.text());
     try {
       if (o.is_project())
         static_cast<void>(read_project(partial));
       else
-        static_cast<void>(read_study(partial));
+        target = target_of(read_study(partial));
     } catch (const InputError& error) {
       std::vector<Problem> problems = error.problems();
       for (Problem& problem : problems) problem.where = option_of(problem.what);
       throw InputError(problems);
     }
   });
+  return target;
 }
 
 void init(InitOptions o) {
@@ -138,8 +165,11 @@ void init(InitOptions o) {
         {"--system", "is of a project's building", "add --kind project, or give --period-s", ""});
   if (o.file.empty()) o.file = o.kind + ".toml";
   check_output_file(o.file, "file", o.overwrite);
-  const ExampleFile file = o.is_project() ? project_file(o) : study_file(o);
-  write_checked(o, (o.is_project() ? "" : study_head) + file.text());
+  ExampleFile file = o.is_project() ? project_file(o) : study_file(o);
+  if (const auto target = write_checked(o, file)) {
+    file.set_numbers("intensity", "levels", levels_around(TargetSpectrum(*target).sds_g()));
+    write_checked(o, file);
+  }
   fmt::print("File    {}\nValues of the example, not yours yet:\n{}", o.file, file.of_example());
   if (!o.is_project() && !o.has_site())
     fmt::print("  {}\n", wrapped(fmt::format("intensity.target: none; {} needs a [target], or give "
@@ -147,7 +177,7 @@ void init(InitOptions o) {
                                              o.suite.empty() ? "the suite" : o.suite),
                                  terminal_width, 4));
   if (o.is_project())
-    fmt::print("Not stated, comments in the file: building.storeys, clearances, hazard\n");
+    fmt::print("Not stated, comments in the file: building.storeys, array, clearances, hazard\n");
   fmt::print("Next    glissade check {}\n", o.file);
 }
 

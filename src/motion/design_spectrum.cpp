@@ -223,6 +223,13 @@ std::string to_string(AsceEdition edition) {
   return edition_names[static_cast<std::size_t>(edition)];
 }
 
+std::string earthquake_name(double level, double dbe_level) {
+  constexpr double same = 1e-3;
+  if (!(dbe_level > 0.0)) return "";
+  if (std::abs(level / dbe_level - 1.0) < same) return "DBE";
+  return std::abs(level / dbe_level - mce_over_dbe) < same ? "MCE" : "";
+}
+
 std::string edition_name(AsceEdition edition) {
   return "ASCE 7-" + to_string(edition).substr(std::string_view("asce7_").size());
 }

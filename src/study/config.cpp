@@ -41,7 +41,7 @@ bool StudyConfig::has_neighbours() const {
 }
 
 std::string intensity_label(const IntensityConfig& intensity) {
-  return fmt::format("{} ({})", intensity.measure.symbol(intensity), intensity.measure.unit());
+  return fmt::format("{} ({})", intensity.measure.definition(intensity), intensity.measure.unit());
 }
 
 std::string describe(const Distribution& distribution) {
@@ -95,6 +95,16 @@ Moments stated_moments(const Distribution& distribution) {
 }
 
 }  // namespace
+
+double stated_mean(const Distribution& distribution) { return stated_moments(distribution).mean; }
+
+double stated_friction(const StudyConfig& config, const Case& c) {
+  const bool is_across =
+      c.orientation.slope_axis == SlopeAxis::n_s && config.friction.across_is_given;
+  const Quantity& mu = config.quantities.at("friction", is_across ? "across_mu" : "mu");
+  return mu.is_drawn() && c.friction_value == FrictionValue::as_drawn ? stated_mean(*mu.drawn)
+                                                                      : c.friction;
+}
 
 double design_friction(const Distribution& mu) {
   const Moments moments = stated_moments(mu);

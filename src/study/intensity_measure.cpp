@@ -14,9 +14,13 @@
 namespace glissade {
 namespace {
 
-/// The intensity is that of each record, geometric mean of its horizontals where there are two.
+/// How one number comes from a record, of which there are two horizontals as a rule.
+constexpr const char *of_peaks = ", geometric mean of both horizontals",
+                     *of_spectra = ", geometric mean of both horizontals, 5 %",
+                     *of_suite = "";  // it is no number of a record
+
 struct MeasureRow {
-  const char *key, *unit, *own_key, *meaning;
+  const char *key, *unit, *own_key, *meaning, *definition;
   std::string (*symbol)(const IntensityConfig&);
   /// Of one record at level 1; null: see factors_at_unit_level().
   double (*factor)(const IntensityConfig&, const Motion&);
@@ -31,29 +35,32 @@ double geometric_mean_sa_mps2(const Motion& motion, double period_s) {
 const std::array rows = {
     MeasureRow{"sds_g", "g", "target",
                "design spectral acceleration S_DS: each suite is scaled as a whole until its "
-               "average SRSS spectrum is nowhere below the design spectrum, 0 to 2 s",
-               [](const IntensityConfig&) -> std::string { return "S_DS"; }, nullptr},
+               "average SRSS spectrum (5 %) is the design spectrum or more at the periods of the "
+               "scaling rule, 0 to 2 s",
+               of_suite, [](const IntensityConfig&) -> std::string { return "S_DS"; }, nullptr},
     MeasureRow{"ppa_g", "g", nullptr,
                "peak roof acceleration along the slope's plan direction (depends on the building)",
+               of_suite,
                [](const IntensityConfig&) -> std::string { return "peak roof acceleration"; },
                nullptr},
     MeasureRow{"mce_fraction", "-", nullptr,
-               "factor on the suite as its file scales it, to MCE; 2/3 is the design earthquake",
-               [](const IntensityConfig&) -> std::string { return "fraction of MCE"; },
+               "factor on the suite as its file scales it, to the MCE of its [target]; 2/3 is the "
+               "design earthquake",
+               of_suite, [](const IntensityConfig&) -> std::string { return "fraction of MCE"; },
                [](const IntensityConfig&, const Motion& m) { return m.scale; }},
-    MeasureRow{"pga_g", "g", nullptr, "peak ground acceleration",
+    MeasureRow{"pga_g", "g", nullptr, "peak ground acceleration", of_peaks,
                [](const IntensityConfig&) -> std::string { return "peak ground acceleration"; },
                [](const IntensityConfig&, const Motion& m) {
                  return standard_gravity_mps2 /
                         horizontal_pga_mps2(m, HorizontalCombination::geometric_mean);
                }},
-    MeasureRow{"sa_g", "g", "sa_period_s", "5 % damped spectral acceleration at sa_period_s",
+    MeasureRow{"sa_g", "g", "sa_period_s", "spectral acceleration at sa_period_s", of_spectra,
                [](const IntensityConfig& c) { return fmt::format("Sa({:g} s)", c.sa_period_s); },
                [](const IntensityConfig& c, const Motion& m) {
                  return standard_gravity_mps2 / geometric_mean_sa_mps2(m, c.sa_period_s);
                }},
     MeasureRow{"avg_sa_g", "g", "avg_sa_periods_s",
-               "geometric mean of the 5 % damped spectral accelerations at avg_sa_periods_s",
+               "geometric mean of the spectral accelerations at avg_sa_periods_s", of_spectra,
                [](const IntensityConfig& c) {
                  return fmt::format("average Sa, {:g} to {:g} s", c.avg_sa_periods_s.front(),
                                     c.avg_sa_periods_s.back());
@@ -61,17 +68,22 @@ const std::array rows = {
                [](const IntensityConfig& c, const Motion& m) {
                  return standard_gravity_mps2 / average_sa_mps2(m, c.avg_sa_periods_s);
                }},
-    MeasureRow{"pgv_mps", "m/s", nullptr, "peak ground velocity",
+    MeasureRow{"pgv_mps", "m/s", nullptr, "peak ground velocity", of_peaks,
                [](const IntensityConfig&) -> std::string { return "peak ground velocity"; },
                [](const IntensityConfig&, const Motion& m) {
                  return 1.0 / horizontal_pgv_mps(m, HorizontalCombination::geometric_mean);
                }},
-    MeasureRow{"arias_mps", "m/s", nullptr, "Arias intensity",
+    MeasureRow{"arias_mps", "m/s", nullptr, "Arias intensity", of_peaks,
                [](const IntensityConfig&) -> std::string { return "Arias intensity"; },
                [](const IntensityConfig&, const Motion& m) {
                  return 1.0 / std::sqrt(arias_intensity_mps(m));
                },
                2.0},
+    MeasureRow{"factor", "-", nullptr,
+               "factor on the motions as the suite's file gives them: 1 leaves them alone",
+               of_suite,
+               [](const IntensityConfig&) -> std::string { return "factor on the motions"; },
+               [](const IntensityConfig&, const Motion& m) { return m.scale; }},
 };
 
 const MeasureRow& row_of(std::size_t row) { return rows.at(row); }
@@ -109,10 +121,23 @@ std::optional<IntensityMeasure> IntensityMeasure::named(const std::string& key) 
 
 const char* IntensityMeasure::key() const { return row_of(row_).key; }
 const char* IntensityMeasure::unit() const { return row_of(row_).unit; }
-const char* IntensityMeasure::meaning() const { return row_of(row_).meaning; }
+std::string IntensityMeasure::meaning() const {
+  return std::string(row_of(row_).meaning) + row_of(row_).definition;
+}
 const char* IntensityMeasure::own_key() const { return row_of(row_).own_key; }
 std::string IntensityMeasure::symbol(const IntensityConfig& c) const {
   return row_of(row_).symbol(c);
+}
+
+std::string IntensityMeasure::definition(const IntensityConfig& c) const {
+  return symbol(c) + row_of(row_).definition;
+}
+
+std::string IntensityMeasure::symbol_in(const std::string& label) const {
+  const std::string of_record = row_of(row_).definition;
+  const std::size_t end = label.rfind(" (");
+  const std::string named = label.substr(0, end);
+  return named.ends_with(of_record) ? named.substr(0, named.size() - of_record.size()) : named;
 }
 
 std::vector<double> IntensityMeasure::factors_at_unit_level(

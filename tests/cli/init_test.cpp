@@ -52,6 +52,20 @@ TEST(Init, a_study_is_of_the_case) {
   EXPECT_THAT(child.out, states("O'Brien \"A\""));
 }
 
+// Issue 34: levels that missed both by little gave no probability at either, without a word.
+TEST(Init, puts_the_levels_of_DBE_and_MCE_in) {
+  for (const std::vector<std::string>& site :
+       {std::vector<std::string>{},  // the suite's own target
+        {"--ss-g", "1.4", "--s1-g", "0.5", "--edition", "asce7_16", "--site-class", "default"}}) {
+    const ScratchFolder folder;
+    const std::string text = written(folder, site);
+    EXPECT_THAT(check(folder).out, Not(states("not among intensity.levels")));
+    folder.write("my.toml",
+                 std::string(text).replace(text.find("levels = ["), 9, "levels = [0.011] #"));
+    EXPECT_THAT(check(folder).out, states("not among intensity.levels", "DBE", "MCE"));
+  }
+}
+
 TEST(Init, a_project_runs_as_it_is) {
   const ScratchFolder folder;
   const std::string text = written(folder, {"--kind", "project", "--units", "us", "--mu", "0.5",

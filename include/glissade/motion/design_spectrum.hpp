@@ -49,6 +49,8 @@ struct DesignTarget {
 };
 /// MCE_R over the design earthquake (ASCE 7-16, 11.4.5).
 inline constexpr double mce_over_dbe = 1.5;
+/// "DBE", "MCE", or empty: another level, or that of the DBE is not known (0).
+std::string earthquake_name(double level, double dbe_level);
 
 /// The envelope over the site classes of the target.
 class TargetSpectrum {

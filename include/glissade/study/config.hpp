@@ -152,7 +152,7 @@ struct StudyConfig : Analyses::InStudy {
   bool has_neighbours() const;                      ///< arrays have a second one beside them
 };
 
-/// Axis label of the intensity measure with its unit: "S_DS (g)", "Sa(1 s) (g)" ...
+/// Axis label of the intensity measure, its definition with its unit: "S_DS (g)" ...
 std::string intensity_label(const IntensityConfig& intensity);
 
 /// "uniform, 0.2 to 2", "one of 1.19, 2.39" ...
@@ -160,6 +160,12 @@ std::string describe(const Distribution& distribution);
 
 /// "0.47", "0.2, 0.4, 0.7", "uniform, 0.2 to 2".
 std::string describe(const Quantity& quantity);
+
+/// As the user states it: of the parent where a normal is cut.
+double stated_mean(const Distribution& distribution);
+
+/// Along the slope: of friction that is drawn the stated mean, whatever was drawn.
+double stated_friction(const StudyConfig& config, const Case& c);
 
 /// The design coefficient of friction, mean - 2 std (Walters et al. 2012), not below 0.
 double design_friction(const Distribution& mu);

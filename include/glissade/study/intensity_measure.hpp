@@ -20,18 +20,22 @@ struct IntensityConfig;
 class IntensityMeasure {
  public:
   /// Those that the code names; all are found by key.
-  static const IntensityMeasure sds_g, ppa_g, mce_fraction, pga_g, sa_g, avg_sa_g;
+  static const IntensityMeasure sds_g, ppa_g, mce_fraction, pga_g, sa_g, avg_sa_g, factor;
   static std::size_t count();
   static IntensityMeasure number(std::size_t row) { return IntensityMeasure(row); }
   static std::optional<IntensityMeasure> named(const std::string& key);
 
   const char* key() const;      ///< "pga_g": in study and results files
   const char* unit() const;     ///< "g", "m/s", "-"
-  const char* meaning() const;  ///< in a sentence
+  std::string meaning() const;  ///< in a sentence, with its definition
   /// The key of [intensity] of this measure only; null: none.
   const char* own_key() const;
-  /// For axes and texts: "S_DS", "Sa(1 s)".
+  /// In sentences: "S_DS", "Sa(1 s)".
   std::string symbol(const IntensityConfig& intensity) const;
+  /// For axes and titles: "Sa(1 s), geometric mean of both horizontals, 5 %".
+  std::string definition(const IntensityConfig& intensity) const;
+  /// The symbol, from what intensity_label() makes.
+  std::string symbol_in(const std::string& label) const;
   /// One factor on each record at level 1; 0 where it depends on the roof. All of one suite.
   /// @param walters_spectra_g of the suite's motions, of sds_g
   std::vector<double> factors_at_unit_level(const IntensityConfig& intensity, const Suite& suite,
@@ -55,6 +59,7 @@ inline constexpr IntensityMeasure IntensityMeasure::mce_fraction{2};
 inline constexpr IntensityMeasure IntensityMeasure::pga_g{3};
 inline constexpr IntensityMeasure IntensityMeasure::sa_g{4};
 inline constexpr IntensityMeasure IntensityMeasure::avg_sa_g{5};
+inline constexpr IntensityMeasure IntensityMeasure::factor{8};
 
 /// "_g", "_mps", "": what the name of a column or dataset in this unit ends with.
 std::string unit_suffix(const std::string& unit);

@@ -135,7 +135,7 @@ void scale(const SuiteOptions& o) {
       scale_suite_to_target(suite, wanted, walters_periods_s(), o.max_factor);
   Table table{"scale",
               fmt::format("one factor per record for its three components: average SRSS spectrum "
-                          "nowhere below the {} target from 0 to 2 s",
+                          "the {} target or more at the periods of the rule, 0 to 2 s",
                           o.target),
               {{"id", "", "id", ColumnKind::text}, {"scale", "", "scale"}},
               {},

@@ -44,7 +44,8 @@ AnalysisInFiles ClearanceAnalysis::in_files() {
             quoted(orientation_rule_names(), ClearanceConfig{}.orientation),
             "which mean is the recommended clearance: the largest or the median of the suite's "
             "means, each "
-            "with all records in one orientation; Walters et al. (2012) take the median"},
+            "with all records in one orientation; Walters et al. (2012) state neither, and call it "
+            "conservative to put the stronger component downhill"},
            {"without_target", "true or false", "false",
             "a clearance also of a suite that does not meet a design spectrum: not for design"}},
       .key_needs = {{"clearance", "orientation", "several orientations",

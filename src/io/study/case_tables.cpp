@@ -104,10 +104,9 @@ void read_vertical(const TomlTable& table, StudyConfig& study) {
       read_choices<VerticalChoice>(table, "use", vertical_names()).value_or(study.vertical);
 }
 
-void read_orientation(const TomlTable& table, bool drawn, StudyConfig& study) {
+void read_orientation(const TomlTable& table, OrientationChoice usual, StudyConfig& study) {
   OrientationConfig& o = study.orientation;
-  o.choice = table.choice<OrientationChoice>("choice", orientation_names())
-                 .value_or(drawn ? OrientationChoice::random : OrientationChoice::all_permutations);
+  o.choice = table.choice<OrientationChoice>("choice", orientation_names()).value_or(usual);
   o.slope_axis =
       read_choices<SlopeAxis>(table, "slope_axis", slope_axis_names()).value_or(o.slope_axis);
   const EnumNames<SignChoice> signs = {{"positive", SignChoice::positive},

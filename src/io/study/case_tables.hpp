@@ -22,8 +22,8 @@ void read_tested_friction(const TomlTable& table, const std::filesystem::path& f
                           StudyConfig& study);
 void read_support(const TomlTable& table, StudyConfig& study);
 void read_vertical(const TomlTable& table, StudyConfig& study);
-/// @param drawn the study draws samples where [orientation] does not state otherwise
-void read_orientation(const TomlTable& table, bool drawn, StudyConfig& study);
+/// @param usual where [orientation] does not state the choice
+void read_orientation(const TomlTable& table, OrientationChoice usual, StudyConfig& study);
 SamplingConfig read_sampling(const TomlTable& table);
 
 }  // namespace glissade

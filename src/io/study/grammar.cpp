@@ -110,8 +110,8 @@ void add_cases(std::vector<GrammarKey>& keys) {
         quoted(vertical_names(), usual.vertical.front()),
         "whether the vertical ground motion acts"},
        {"orientation", "choice", one_of(orientation_names()),
-        "\"all_permutations\" with [chart] or [clearance]; else \"random\" where the study draws "
-        "samples or has [fragility]",
+        "\"all_permutations\" with [chart] or [clearance]; else, where the study draws samples or "
+        "has [fragility], \"as_recorded\" with measure = \"factor\" and \"random\" with others",
         "directions of the horizontal components relative to the building: drawn for each sample; "
         "either component along the first axis with either sign, the other with either sign; every "
         "22.5 degrees; as recorded"},

@@ -152,9 +152,14 @@ StudyConfig read_study(const std::filesystem::path& file) {
   study.sampling = read_sampling(root.table("sampling"));
   study.orientation.choice = OrientationChoice::as_recorded;
   // A chart and a clearance take the worst of all orientations, whatever else the study has.
-  const bool drawn = (fragility || root.has("sampling") || study.draws()) && !root.has("chart") &&
-                     !root.has("clearance");
-  read_orientation(root.table("orientation"), drawn, study);
+  const bool is_worst = root.has("chart") || root.has("clearance");
+  const bool drawn = fragility || root.has("sampling") || study.draws();
+  read_orientation(root.table("orientation"),
+                   is_worst || !drawn ? OrientationChoice::all_permutations
+                   : study.intensity.measure == IntensityMeasure::factor
+                       ? OrientationChoice::as_recorded  // with all else that is as given
+                       : OrientationChoice::random,
+                   study);
   read_analyses(root, study);
   refuse_idle_keys(root, study);
   check_size(root, study);

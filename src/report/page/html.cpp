@@ -63,6 +63,7 @@ std::string what_was_run(const Results& results) {
       counted(results.records.size(), "record"), counted(set.combinations(), "combination"),
       counted(set.samples, "sample"), counted(set.orientations, "orientation"),
       counted(results.levels.size(), "level"), results.intensity_label);
+  text += " Intensity measure: " + results.measure.meaning() + ".";
   if (const std::string target = target_text(results); !target.empty())
     text += " Design target: " +
             (differs_by_suite(results) ? "that of each suite, under Inputs" : target) + ".";

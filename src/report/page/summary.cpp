@@ -25,7 +25,8 @@ std::string summary_text(const Results& results, const std::vector<Skip>& skips)
                                       draws ? counted(results.cases.samples, "sample")
                                             : counted(results.cases.size(), "case"),
                                       counted(results.levels.size(), "level"))) +
-                     line("Model: " + results.model.kernel);
+                     line("Model: " + results.model.kernel) +
+                     line("Orientation: " + describe(orientation_choice(results.cases)));
   if (const std::string target = target_text(results); !target.empty())
     text += line("Design target: " + target);
   for (const std::string& warning : results.warnings) text += line("WARNING: " + warning);

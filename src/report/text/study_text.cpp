@@ -49,7 +49,7 @@ std::string with_unit(const Results& results, const std::string& value) {
 
 std::string at_intensity(const Results& results, double value) {
   const std::string name = earthquake_name(value, results.model.dbe_level);
-  return results.intensity_label.substr(0, results.intensity_label.rfind(" (")) + " = " +
+  return results.measure.symbol_in(results.intensity_label) + " = " +
          with_unit(results, level_number(value)) + (name.empty() ? "" : " (" + name + ")");
 }
 
@@ -57,13 +57,6 @@ std::string level_number(double level) {
   const std::string four = fmt::format("{:.4g}", level);
   const bool is_given_so = level > 0.0 && std::abs(rounded_to(level, 4) / level - 1.0) < 1e-12;
   return is_given_so && four.size() > format_number(level).size() ? four : format_number(level);
-}
-
-std::string earthquake_name(double level, double dbe_level) {
-  constexpr double same = 1e-3;
-  if (!(dbe_level > 0.0)) return "";
-  if (std::abs(level / dbe_level - 1.0) < same) return "DBE";
-  return std::abs(level / dbe_level - mce_over_dbe) < same ? "MCE" : "";
 }
 
 Column intensity_column(const Results& results, const std::string& stem, const std::string& heading,

@@ -41,8 +41,6 @@ Table with_listed(const Results& results, const Table& table);
 Table without_run_key(const Results& results, const Table& table);
 /// "S_DS = 0.840 g" from the axis label "S_DS (g)"; with " (DBE)" or " (MCE)" where it is that.
 std::string at_intensity(const Results& results, double value);
-/// "DBE", "MCE" (1.5 times that), or empty: another level, or that of the DBE is not known (0).
-std::string earthquake_name(double level, double dbe_level);
 /// "1.20"; of four digits where that is all of the level: "1.035".
 std::string level_number(double level);
 /// "1 sample", "2 samples"

@@ -125,6 +125,21 @@ bool slides_freely(const Case& c) {
          std::tan(std::abs(c.slope_deg) * rad_per_deg) >= c.friction;
 }
 
+OrientationChoice orientation_choice(const CaseSet& set) {
+  const auto is_as_recorded = [](const Case& c) {
+    return c.orientation.ground_azimuth_deg == 0.0 && c.orientation.across_sign == 1;
+  };
+  const auto first = set.cases.begin();
+  const auto end = first + static_cast<std::ptrdiff_t>(std::min(set.orientations, set.size()));
+  if (std::any_of(first, end, [](const Case& c) { return !c.orientation.is_quarter_turn(); }) &&
+      set.orientations > 1)
+    return OrientationChoice::azimuths;
+  if (std::ranges::all_of(set.cases, is_as_recorded)) return OrientationChoice::as_recorded;
+  constexpr std::size_t slope_axes = 2;
+  return set.orientations > slope_axes ? OrientationChoice::all_permutations
+                                       : OrientationChoice::random;
+}
+
 std::string CaseSet::label(std::size_t combination) const {
   constexpr std::size_t room = 48;  // a FileName with the name of a table or figure before it
   const std::vector<std::size_t> place = places(combination);

@@ -56,6 +56,20 @@ std::vector<Orientation> orientations(OrientationChoice choice,
   return all;
 }
 
+std::string describe(OrientationChoice choice) {
+  switch (choice) {
+    case OrientationChoice::random:
+      return "drawn for each sample: either component along the first axis, with either sign";
+    case OrientationChoice::all_permutations:
+      return "either component along the first axis with either sign, the other with either sign";
+    case OrientationChoice::azimuths:
+      return "every 22.5 degrees";
+    case OrientationChoice::as_recorded:
+      break;
+  }
+  return "as recorded: the first component along the first axis";
+}
+
 std::string to_string(SlopeAxis axis) { return axis == SlopeAxis::e_w ? "E-W" : "N-S"; }
 
 std::string to_string(const Orientation& o) {

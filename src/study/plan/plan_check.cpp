@@ -33,14 +33,18 @@ void check_model(const StudyConfig& config, const std::vector<Suite>& suites,
   }
   if (config.intensity.target) return;
   const bool by_r = config.quantities.at("building", "response_modification").largest() > 0.0;
-  const bool by_sds = config.intensity.measure == IntensityMeasure::sds_g;
+  const IntensityMeasure measure = config.intensity.measure;
   for (std::size_t i = 0; i < suites.size(); ++i) {
-    if (suites[i].target || !(by_r || by_sds)) continue;
+    if (suites[i].target || !(by_r || measure.is_of_design_spectrum())) continue;
     problems.add(
         {config.suite_files[i].string(),
-         by_sds ? "has no [target], and measure = \"sds_g\" needs the shape of a design spectrum"
-                : "has no [target], and building.response_modification divides the "
-                  "elastic demand of a design spectrum",
+         measure == IntensityMeasure::sds_g
+             ? "has no [target], and measure = \"sds_g\" needs the shape of a design spectrum"
+         : measure == IntensityMeasure::mce_fraction
+             ? "has no [target], and measure = \"mce_fraction\" is in parts of its MCE: motions "
+               "that are used as they are have measure = \"factor\", with levels = [1.0]"
+             : "has no [target], and building.response_modification divides the "
+               "elastic demand of a design spectrum",
          "give the suite a [target], or add target = { edition = \"asce7_16\", ss_g = "
          "..., s1_g = ..., site_class = \"D\" } to [intensity]",
          ""});
@@ -149,7 +153,10 @@ std::optional<MissedTarget> missed_target(const Plan& plan, std::size_t suite) {
   const bool by_sds = plan.config.intensity.measure == IntensityMeasure::sds_g;
   if (!plan.config.intensity.measure.is_of_design_spectrum())
     return MissedTarget{"levels of " + std::string(plan.config.intensity.measure.key()) +
-                            " scale each record by itself, not the suite to a design spectrum",
+                            (plan.config.intensity.measure == IntensityMeasure::factor
+                                 ? " multiply the motions as given, "
+                                 : " scale each record by itself, ") +
+                            "not the suite to a design spectrum",
                         "measure by sds_g, which scales the suite, or by mce_fraction"};
   const DesignTarget* target = plan.target_of(suite);
   if (target == nullptr)

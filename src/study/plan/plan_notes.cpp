@@ -7,6 +7,7 @@
 #include <array>
 #include <iterator>
 
+#include "glissade/study/plan/one_mass.hpp"
 #include "plan/model_text.hpp"
 
 namespace glissade {
@@ -42,6 +43,14 @@ std::vector<std::string> notes_on_records(const Plan& plan) {
   }
   if (records == 1) notes.push_back("one record: the scatter between records is not estimated");
   return notes;
+}
+
+/// The storeys of a study's building are not known.
+std::vector<std::string> notes_on_building(const StudyConfig& config) {
+  std::string text =
+      one_mass_sentence(std::nullopt, config.quantities.at("building", "period_s").largest());
+  if (text.empty()) return {};
+  return {std::move(text)};
 }
 
 /// Quantities that are not as usual, and have no effect without another one.
@@ -91,14 +100,36 @@ std::vector<std::string> notes_on_seed(const Plan& plan) {
   return {"study.seed has no effect: nothing is drawn, and one record has no intervals"};
 }
 
+/// A study that gives probabilities by level gives those at DBE and MCE where they are levels.
+std::vector<std::string> notes_on_design_levels(const Plan& plan) {
+  const StudyConfig& config = plan.config;
+  const double dbe_g = dbe_level(plan);
+  if (dbe_g == 0.0 || (!config.fragility && !config.verdict)) return {};
+  std::string missing;
+  for (const auto& [name, level_g] :
+       {std::pair{"DBE", dbe_g}, std::pair{"MCE", mce_over_dbe * dbe_g}}) {
+    if (std::ranges::none_of(config.intensity.levels, [&, name = name](double level) {
+          return earthquake_name(level, dbe_g) == name;
+        }))
+      missing += fmt::format("{}{}, {:.6g} g", missing.empty() ? "" : "; ", name, level_g);
+  }
+  if (missing.empty()) return {};
+  return {
+      fmt::format("not among intensity.levels are, of the target: {}. No probability is "
+                  "computed there: add them to the levels",
+                  missing)};
+}
+
 }  // namespace
 
 std::vector<std::string> notes_on(const Plan& plan) {
   const StudyConfig& config = plan.config;
-  std::vector<std::string> notes = notes_on_records(plan);
+  std::vector<std::string> notes = notes_on_building(config);
+  std::ranges::move(notes_on_records(plan), std::back_inserter(notes));
   if (!config.friction.note.empty()) notes.push_back(config.friction.note);
   for (std::vector<std::string>& more :
-       std::array{notes_on_quantities(config), notes_on_directions(config), notes_on_seed(plan)})
+       std::array{notes_on_quantities(config), notes_on_directions(config), notes_on_seed(plan),
+                  notes_on_design_levels(plan)})
     notes.insert(notes.end(), more.begin(), more.end());
   for_each_analysis(Analyses(), [&](auto analysis) {
     if constexpr (requires { analysis.plan_notes(plan); })

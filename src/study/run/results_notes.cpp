@@ -89,9 +89,9 @@ void note_suite(const SuiteSummary& suite, const IntensityConfig& intensity,
   if (std::isnan(spectra.to_target.lowest.ratio)) return;  // no shaking at the level shown
   const auto& [lowest, highest] = spectra.to_target;
   notes.push_back(
-      fmt::format("The suite {} is scaled so that its average SRSS spectrum is not below the "
-                  "design spectrum at the periods of the scaling rule, 0 to {:g} s{}; between them "
-                  "it is from {:.3g} times it, at {:.3g} s, to {:.3g} times, at {:.3g} s",
+      fmt::format("The suite {} is scaled so that its average SRSS spectrum is the design spectrum "
+                  "or more at the periods of the scaling rule, 0 to {:g} s{}; between them the "
+                  "lowest is {:.3g} times it, at {:.3g} s, the highest {:.3g} times, at {:.3g} s",
                   suite.name, longest_scaled_period_s,
                   intensity.scaled_to_s > longest_scaled_period_s
                       ? fmt::format(", nor below {:g} times it from there to {:g} s (scaled_to_s)",

@@ -137,6 +137,16 @@ TEST_F(StudyFile, what_is_left_out_takes_the_defaults_of_the_configuration) {
   EXPECT_TRUE(study.standards.compare.empty());
 }
 
+// Issue 34: floor motions were turned at random where nothing was stated.
+TEST_F(StudyFile, motions_used_as_given_are_not_turned_unless_the_study_says_so) {
+  std::string text = needed;
+  const std::size_t at = text.find("measure = \""), end = text.find('\n', at);
+  text.replace(at, end - at, "measure = \"factor\"");
+  EXPECT_EQ(read(text).orientation.choice, OrientationChoice::as_recorded);
+  EXPECT_EQ(read(text + "[orientation]\nchoice = \"random\"\n").orientation.choice,
+            OrientationChoice::random);
+}
+
 TEST_F(StudyFile, every_parameter_takes_a_number_a_list_a_range_and_distributions) {
   for (std::size_t i = 0; i < parameters().size(); ++i) {
     const Parameter& p = parameters()[i];

@@ -49,6 +49,25 @@ TEST(IntensityMeasure, mce_fraction_keeps_the_factors_of_the_suite) {
   EXPECT_EQ(factor("mce_fraction", 0.5), 1.5);
 }
 
+TEST(IntensityMeasure, factor_leaves_the_motions_of_the_suite_alone_at_1) {
+  EXPECT_EQ(factor("factor", 1.0), 3.0);  // as the suite's file has it
+  EXPECT_FALSE(IntensityMeasure::factor.is_of_design_spectrum());
+}
+
+TEST(IntensityMeasure, its_label_says_how_one_number_comes_from_a_record) {
+  IntensityConfig config;
+  config.measure = IntensityMeasure::sa_g;
+  config.sa_period_s = 0.5;
+  const std::string label = intensity_label(config);
+  EXPECT_EQ(label, "Sa(0.5 s), geometric mean of both horizontals, 5 % (g)");
+  EXPECT_EQ(config.measure.symbol_in(label), "Sa(0.5 s)");
+  EXPECT_EQ(config.measure.symbol_in("Sa(0.5 s) (g)"), "Sa(0.5 s)");  // of earlier results
+  for (const char* key : {"pga_g", "pgv_mps", "arias_mps", "avg_sa_g", "sa_g"})
+    EXPECT_TRUE(IntensityMeasure::named(key)->meaning().find(
+                    "geometric mean of both horizontals") != std::string::npos)
+        << key;
+}
+
 TEST(IntensityMeasure, keys_and_units_name_each_other) {
   for (std::size_t i = 0; i < IntensityMeasure::count(); ++i) {
     const IntensityMeasure measure = IntensityMeasure::number(i);

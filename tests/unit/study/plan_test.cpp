@@ -7,6 +7,7 @@
 #include <functional>
 #include <set>
 
+#include "facts.hpp"
 #include "glissade/core/error.hpp"
 #include "glissade/core/units.hpp"
 #include "glissade/motion/intensity.hpp"
@@ -21,6 +22,7 @@ using test::listed;
 using test::small_config;
 using test::small_plan;
 using test::small_suite;
+using test::states;
 constexpr double g = standard_gravity_mps2;
 
 std::vector<double> resized(const Samples& samples, std::size_t size, double padding = 0.0) {
@@ -269,17 +271,18 @@ TEST(plan, notes_records_that_lack_a_component) {
   suite.motions[1].horizontal_mps2[1] = {};
   StudyConfig config = small_config();
   config.standards.compare.clear();
-  EXPECT_EQ(make_plan(config, {suite}).notes.size(), 2u);
+  EXPECT_THAT(make_plan(config, {suite}).notes,
+              testing::IsSupersetOf({states("no vertical component"), states("one horizontal")}));
 }
 
 TEST(plan, notes_quantities_without_effect) {
   StudyConfig config = small_config();
-  const std::size_t before = small_plan(config).notes.size();
+  const auto of_damping = testing::Contains(states("building.damping has no effect"));
   config.quantities.at("building", "period_s") = {{0.0}, {}};
   config.quantities.at("building", "damping") = {{0.2}, {}};
-  EXPECT_EQ(small_plan(config).notes.size(), before + 1);
+  EXPECT_THAT(small_plan(config).notes, of_damping);
   config.quantities.at("building", "period_s") = {{0.5}, {}};
-  EXPECT_EQ(small_plan(config).notes.size(), before);
+  EXPECT_THAT(small_plan(config).notes, testing::Not(of_damping));
 }
 
 TEST(plan, notes_directions_and_a_seed_without_effect) {
@@ -311,12 +314,61 @@ TEST(plan, notes_directions_and_a_seed_without_effect) {
 }
 
 TEST(plan, notes_cases_outside_the_range_of_the_prescriptive_value) {
-  // Slope 4 degrees in a third of the samples, mu at or below 0.4 in half of them.
-  EXPECT_EQ(small_plan(small_config()).notes.size(), 1u);
+  // Slope 4 degrees in a third of the samples; mu below 0.4 in half of them, but 0.4 in the mean.
+  const auto outside = [](const char* standard) {
+    return testing::Contains(states("outside the range", standard));
+  };
   StudyConfig config = small_config();
+  config.friction.values = {FrictionValue::as_drawn};
+  EXPECT_THAT(small_plan(config).notes, outside("SEAOC PV1-2012"));
+  EXPECT_THAT(small_plan(config).notes, outside("ASCE 7-16"));
   config.quantities.at("roof", "slope_deg") = fixed(1.19);
-  config.quantities.at("friction", "mu") = fixed(0.45);
-  EXPECT_TRUE(small_plan(config).notes.empty());
+  EXPECT_THAT(small_plan(config).notes, testing::Not(outside("of")));
+  config.quantities.at("friction", "mu") = fixed(0.39);
+  EXPECT_THAT(small_plan(config).notes, outside("100 %"));
+}
+
+TEST(plan, notes_that_one_mass_gives_too_little_slip_on_several_storeys) {
+  const auto of_one_mass = testing::Contains(states("one mass", "too little slip", "3.2 to 11"));
+  StudyConfig config = small_config();
+  EXPECT_THAT(small_plan(config).notes, of_one_mass);
+  for (const double period_s : {0.0, 0.15}) {  // rigid, or of one storey
+    config.quantities.at("building", "period_s") = fixed(period_s);
+    EXPECT_THAT(small_plan(config).notes, testing::Not(of_one_mass));
+  }
+}
+
+// S_DS of the small suite's target is 1 g.
+TEST(plan, notes_DBE_and_MCE_that_are_no_levels) {
+  StudyConfig config = small_config();
+  const auto missing = testing::Contains(states("not among intensity.levels"));
+  EXPECT_THAT(small_plan(config).notes, testing::Not(missing));
+  config.intensity.levels = {0.99, 1.5};
+  EXPECT_THAT(small_plan(config).notes,
+              testing::Contains(states("not among intensity.levels", "DBE, 1 g. ")));
+  config.fragility.reset();
+  config.standards.compare.clear();
+  EXPECT_THAT(small_plan(config).notes, testing::Not(missing));  // it gives no probability
+}
+
+TEST(plan, refuses_parts_of_an_MCE_that_the_suite_has_not_and_names_the_factor) {
+  StudyConfig config = small_config();
+  config.standards.compare.clear();
+  config.intensity.levels = {1.0};
+  Suite suite = small_suite();
+  suite.target.reset();
+  config.intensity.measure = IntensityMeasure::mce_fraction;
+  try {
+    make_plan(config, {suite});
+    FAIL() << "accepted";
+  } catch (const InputError& error) {
+    EXPECT_THAT(error.what(), states("[target]", "measure = \"factor\""));
+  }
+  config.intensity.measure = IntensityMeasure::factor;
+  const Plan plan = make_plan(config, {suite});
+  EXPECT_EQ(plan.factor_at_unit_level, (std::vector<double>{1.0, 1.5, 2.0}));  // the suite's scales
+  EXPECT_THAT(to_string(plan), testing::Not(states("MCE")));
+  EXPECT_THAT(to_string(plan), states("orientation drawn for each sample"));
 }
 
 TEST(plan, warns_of_what_is_possible_and_not_probable) {

@@ -67,6 +67,9 @@ struct CaseSet : CaseGrid {
   std::string label(std::size_t combination) const;
 };
 
+/// The choice that these orientations are of; what was drawn and is all as recorded counts as that.
+OrientationChoice orientation_choice(const CaseSet& set);
+
 /// Position of a case in a plan or in results.
 using CaseNumber = std::uint32_t;
 

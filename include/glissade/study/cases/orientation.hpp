@@ -52,6 +52,9 @@ enum class OrientationChoice {
 std::vector<Orientation> orientations(OrientationChoice choice,
                                       const std::vector<SlopeAxis>& slope_axes);
 
+/// In a sentence: "every 22.5 degrees".
+std::string describe(OrientationChoice choice);
+
 /// "slope E-W, along it + first, across + second", "slope N-S, azimuth 22.5 deg"
 std::string to_string(const Orientation& orientation);
 std::string to_string(SlopeAxis axis);  ///< "E-W"
