@@ -193,7 +193,7 @@ DesignClearance design_clearance(const Project& project, const Results& demand) 
   design.governing_m = std::max(design.analysis_m, design.floor_m);
   design.floor_governs = design.floor_m > design.analysis_m;
   design.rounded_m = rounded_up(design.governing_m, project.round_up_m);
-  std::vector<Separation> separations = asce7_16_separations(design.governing_m);
+  std::vector<Separation> separations = separations_of(project.standard, design.governing_m);
   for (std::size_t i = 0; i < separations.size(); ++i) {
     separations[i].value_m = rounded_up(separations[i].value_m, project.round_up_m);
     design.separations.push_back({separations[i], project.available_m[i]});
@@ -280,7 +280,7 @@ QuantileDisplacement accepted_displacement(const Results& probability, double sd
 
 std::vector<double> compared_displacements_m(const Project& project, double governing_m) {
   std::vector<double> all{governing_m};
-  const std::vector<Separation> separations = asce7_16_separations(governing_m);
+  const std::vector<Separation> separations = separations_of(project.standard, governing_m);
   for (std::size_t i = 0; i < separations.size(); ++i) {
     const double displacement_m = allowed_m(separations[i], project.available_m[i]);
     if (displacement_m > 0.0) all.push_back(displacement_m);

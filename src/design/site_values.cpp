@@ -13,68 +13,6 @@ double coefficient(const DesignTarget& target, double design_g, double mapped_g)
   return target.is_mapped() ? mce_over_dbe * design_g / mapped_g : 0.0;
 }
 
-CodeCondition condition(const std::string& text, const std::string& found, bool is_met,
-                        Provenance provenance) {
-  return {text, found, is_met, provenance};
-}
-
-std::string steepest_text(const Project& project) {
-  return fmt::format("{:.3g} degrees", project.slope_deg.back());
-}
-
-std::string friction_text(const Project& project) {
-  return fmt::format("{:.3f}", project.friction.design());
-}
-
-/// Both standards have them.
-std::vector<CodeCondition> building_conditions(const Project& project) {
-  CodeCondition low{"six storeys or fewer", "not stated", std::nullopt, Provenance::recalled};
-  if (const auto storeys = project.building.storeys) {
-    low.is_met = *storeys <= 6.0;
-    low.found = fmt::format("{:g}", *storeys);
-  }
-  return {condition("risk category I, II or III", to_string(project.site.risk),
-                    project.site.risk != RiskCategory::iv, Provenance::recalled),
-          low};
-}
-
-PrescribedValue seaoc(const Project& project, const SiteValues& site) {
-  const double steepest = project.slope_deg.back();
-  // Slope and friction as Walters et al. (2012) quote them, which is not the standard itself.
-  PrescribedValue value{
-      .standard = Standard::seaoc_pv1_2012,
-      .prescribed = seaoc_pv1_2012_displacement(site.sds_g, site.category),
-      .conditions = {condition(fmt::format("roof slope below {:g} degrees", seaoc_slope_limit_deg),
-                               steepest_text(project), steepest < seaoc_slope_limit_deg,
-                               Provenance::recalled),
-                     condition(fmt::format("coefficient of friction above {:g}", seaoc_mu_limit),
-                               friction_text(project), project.friction.design() > seaoc_mu_limit,
-                               Provenance::recalled)},
-      .floor_share = 0.5,
-      .floor_basis = "half of the prescribed value, unless the analysis is peer reviewed"};
-  const std::vector<CodeCondition> of_building = building_conditions(project);
-  value.conditions.insert(value.conditions.end(), of_building.begin(), of_building.end());
-  return value;
-}
-
-PrescribedValue asce7_16(const Project& project, const SiteValues& site) {
-  PrescribedValue value{
-      .standard = Standard::asce7_16,
-      .prescribed = asce7_16_displacement(site.sds_g, project.importance),
-      .conditions = {condition("roof slope of 1 in 20 or less", steepest_text(project),
-                               project.slope_deg.back() <= asce7_16_slope_limit_deg,
-                               Provenance::recalled),
-                     condition(
-                         fmt::format("coefficient of friction of {:g} or more", asce7_16_mu_limit),
-                         friction_text(project), project.friction.design() >= asce7_16_mu_limit,
-                         Provenance::recalled)},
-      .floor_share = 0.8,
-      .floor_basis = "80 % of the prescribed value, unless the analysis is peer reviewed"};
-  const std::vector<CodeCondition> of_building = building_conditions(project);
-  value.conditions.insert(value.conditions.end(), of_building.begin(), of_building.end());
-  return value;
-}
-
 }  // namespace
 
 double ProjectFriction::design() const { return design_friction(Normal{mean, std}); }
@@ -100,17 +38,27 @@ bool PrescribedValue::may_be_used() const {
                              [](const CodeCondition& c) { return c.is_met.value_or(false); });
 }
 
-std::string PrescribedValue::not_met() const {
-  std::string text;
-  for (const CodeCondition& c : conditions) {
-    if (!c.is_met.value_or(false))
-      text += fmt::format("{}{}: {}", text.empty() ? "" : "; ", c.text, c.found);
-  }
-  return text;
+std::string PrescribedValue::not_met() const { return not_met_text(conditions); }
+
+ArrayFacts facts_of(const Project& project, const SiteValues& site) {
+  return {.slope_deg = project.slope_deg.back(),
+          .friction = project.friction.design(),
+          .risk = project.site.risk,
+          .storeys = project.building.storeys,
+          .centre_of_mass_m = project.array.centre_of_mass_m,
+          .support_spacing_m = project.array.support_spacing_m,
+          .interconnection = project.array.interconnection,
+          .sds_g = site.sds_g};
 }
 
 std::vector<PrescribedValue> prescribed_values(const Project& project, const SiteValues& site) {
-  return {asce7_16(project, site), seaoc(project, site)};
+  const ArrayFacts facts = facts_of(project, site);
+  return {{Standard::asce7_16, asce7_16_displacement(site.sds_g, project.importance),
+           conditions_of(Standard::asce7_16, facts), 0.8,
+           "80 % of the prescribed value, unless the analysis is peer reviewed"},
+          {Standard::seaoc_pv1_2012, seaoc_pv1_2012_displacement(site.sds_g, site.category),
+           conditions_of(Standard::seaoc_pv1_2012, facts), 0.5,
+           "half of the prescribed value, unless the analysis is peer reviewed"}};
 }
 
 }  // namespace glissade

@@ -16,6 +16,7 @@ namespace {
 constexpr std::array<const char*, 6> category_names = {"A", "B", "C", "D", "E", "F"};
 constexpr double pv1_floor_m = 6.0 * inch_m;
 constexpr double asce7_16_floor_m = 24.0 * inch_m;
+constexpr double asce7_16_least_edge_m = 4.0 * foot_m;
 
 void check_not_negative(const char* name, double value, const char* suggestion,
                         ProblemList& problems) {
@@ -61,8 +62,7 @@ Prescription seaoc_pv1_2012_displacement(double sds_g, SeismicDesignCategory cat
   return not_less_than(
       {pv1_floor_m, Provenance::recalled,
        "SEAOC PV1-2012: not less than 6 in; recalled: verify against the standard"},
-      {60.0 * demand(sds_g) * inch_m, Provenance::checked,
-       "SEAOC PV1-2012: 60 (S_DS - 0.4)^2 in, for slopes under 3 degrees and mu above 0.4"});
+      {60.0 * demand(sds_g) * inch_m, Provenance::checked, "SEAOC PV1-2012: 60 (S_DS - 0.4)^2 in"});
 }
 
 Prescription asce7_16_displacement(double sds_g, double importance) {
@@ -77,18 +77,43 @@ Prescription asce7_16_displacement(double sds_g, double importance) {
        "ASCE 7-16 section 13.6.12: 5 I_e (S_DS - 0.4)^2 ft"});
 }
 
-std::vector<Separation> asce7_16_separations(double displacement_m) {
+std::vector<Separation> separations_of(Standard standard, double displacement_m) {
   ProblemList problems;
   check_not_negative("displacement_m", displacement_m, "give the design displacement in metres",
                      problems);
   problems.throw_if_any();
+  const bool pv1 = standard == Standard::seaoc_pv1_2012;
+  // The factors of ASCE 7-16 are those of a stamped permit calculation.
+  const Provenance of_factors = pv1 ? Provenance::recalled : Provenance::checked;
   const auto separation = [&](const char* what, double factor) {
-    return Separation{what, factor, factor * displacement_m, Provenance::checked};
+    return Separation{what, factor, 0.0, factor * displacement_m, of_factors, ""};
   };
-  return {separation("between similar arrays", 0.5),
-          separation("to a fixed object or a different array", 1.0),
-          separation("to a roof edge with a qualifying parapet", 1.0),
-          separation("to a roof edge without a qualifying parapet", 2.0)};
+  std::vector<Separation> all{separation("between similar arrays", 0.5),
+                              separation("to a fixed object or a different array", 1.0),
+                              separation("to a roof edge with a qualifying parapet", 1.0),
+                              separation("to a roof edge without a qualifying parapet", 2.0)};
+  Separation& edge = all.back();
+  if (pv1) {
+    edge.basis = "some recall a factor of 1.5 in SEAOC PV1-2012: the larger is taken";
+    return all;
+  }
+  edge.least_m = asce7_16_least_edge_m;
+  edge.basis = "and 4 ft or more (recalled)";
+  if (edge.value_m < edge.least_m) {
+    edge.value_m = edge.least_m;
+    edge.provenance = Provenance::recalled;
+  }
+  return all;
+}
+
+std::string qualifying_parapet(Standard standard) {
+  return standard == Standard::seaoc_pv1_2012
+             ? "A parapet qualifies that rises 6 in (0.15 m) or more above the centre of mass of "
+               "the array and 24 in (0.61 m) or more above the roof (SEAOC PV1-2012, recalled: "
+               "verify)"
+             : "A curb or parapet qualifies that rises 12 in (0.30 m) or more above the roof and "
+               "is designed for a force of 0.2 S_DS times the weight of the array where it may "
+               "strike (ASCE 7-16, 13.6.12, recalled: verify)";
 }
 
 }  // namespace glissade

@@ -140,7 +140,7 @@ TEST(Init, lists_every_key_that_still_has_the_value_of_the_example) {
     for (const char* given :
          {"study.name", "study.units", "project.name", "project.units", "suite.file",
           "building.period_s", "roof.slope_deg", "friction.mu", "site.edition", "site.ss_g",
-          "site.s1_g", "site.site_class", "intensity.target"})
+          "site.s1_g", "site.site_class", "intensity.target", "intensity.levels"})
       all.erase(given);
     EXPECT_EQ(keys_listed(child.out), all) << child.out;
   }

@@ -161,12 +161,28 @@ TEST_F(Package, separations_are_parts_of_the_governing_displacement_rounded_up) 
   for (const auto& s : json.at("separations")) {
     EXPECT_TRUE(s.at("available_m").is_null() ||
                 s.at("is_sufficient") == (s.at("available_m") >= s.at("required_m")));
-    const double exact_m = s.at("factor").get<double>() * governing_m,
+    const double exact_m = std::max(s.at("factor").get<double>() * governing_m,
+                                    s.at("least_m").get<double>()),
                  required_m = s.at("required_m");
     EXPECT_GE(required_m, exact_m);
     EXPECT_LT(required_m, exact_m + 0.0127);
     EXPECT_NEAR(std::remainder(required_m, 0.0127), 0.0, 1e-12);
   }
+}
+
+// ASCE 7-16: 2 x 20.3 in is less than 4 ft (recalled).
+TEST_F(Package, an_edge_without_a_parapet_is_4_ft_away_or_more) {
+  const nlohmann::json json = numbers();
+  EXPECT_LT(2.0 * json.at("governing_m").get<double>(), 1.2);
+  EXPECT_NEAR(json.at("separations").at(3).at("required_m"), 1.2192, 1e-9);
+  EXPECT_THAT(read_file(out() / "package.html"), states("and 4 ft or more (recalled)", "0.2 S_DS"));
+}
+
+TEST_F(Package, lists_the_conditions_of_both_standards_and_warns_of_ten_storeys_as_one_mass) {
+  EXPECT_THAT(read_file(out() / "tables/conditions.csv"),
+              states("centre of mass", "0.133 S_DS", "13.6.12", "SEAOC PV1-2012"));
+  EXPECT_THAT(finished_.out, states("10 storeys", "too little slip"));
+  EXPECT_THAT(read_file(out() / "package.html"), states("AC156", "too little slip"));
 }
 
 TEST_F(Package, warns_of_simulated_motions_and_of_records_that_are_the_nearest_to_a_target) {

@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/child.hpp"
+#include "facts.hpp"
 
 namespace glissade::test {
 namespace {
@@ -46,9 +47,47 @@ TEST(Standards, importance_multiplies_asce_7_16) {
 }
 
 TEST(Standards, a_risk_category_gives_its_importance_factor) {
-  EXPECT_EQ(run_program({"standards", "--sds-g", "1", "--risk-category", "III"}).out,
-            run_program({"standards", "--sds-g", "1", "--importance", "1.25"}).out);
+  EXPECT_EQ(standards_json({"--sds-g", "1", "--risk-category", "III"})["importance"], 1.25);
   EXPECT_EQ(run_program({"standards", "--sds-g", "1", "--risk-category", "V"}).status, 2);
+}
+
+// Both standards are for risk categories I to III (recalled).
+TEST(Standards, of_risk_category_IV_give_no_displacement_and_no_separations) {
+  const Json json = standards_json({"--sds-g", "1.05", "--risk-category", "IV"});
+  for (const char* key : {"asce7_16", "seaoc_pv1_2012"}) {
+    EXPECT_FALSE(json[key]["applies"]);
+    EXPECT_TRUE(json[key]["value_m"].is_null());
+    EXPECT_TRUE(json[key]["separations"].empty());
+    EXPECT_TRUE(json[std::string(key) + "_m"].is_null());
+  }
+  const std::string text =
+      run_program({"standards", "--sds-g", "1.05", "--risk-category", "IV"}).out;
+  EXPECT_THAT(text, states("not applicable", "risk category"));
+  EXPECT_THAT(text, testing::Not(states("similar")));
+}
+
+TEST(Standards, list_conditions_with_limit_clause_mark_and_what_is_found) {
+  const std::vector<std::string> options{
+      "--sds-g",   "1.2", "--slope-deg",       "1.2", "--mu", "0.5",
+      "--storeys", "7",   "--interconnection", "0.15"};
+  const Json json = standards_json(options);
+  std::size_t known = 0;
+  for (const Json& c : json["asce7_16"]["conditions"]) {
+    EXPECT_EQ(c["provenance"], "recalled");
+    EXPECT_THAT(c["clause"].get<std::string>(), states("13.6.12"));
+    if (!c["is_met"].is_null()) ++known;
+    if (c["condition"] == "storeys") {
+      EXPECT_EQ(c["is_met"], false);
+    }
+  }
+  EXPECT_EQ(known, 4u);
+  EXPECT_THAT(json["asce7_16"]["not_met"].get<std::string>(),
+              states("storeys of 6 or fewer: 7", "0.133 S_DS"));
+}
+
+TEST(Standards, name_the_pull_tests_and_the_roof_motions_of_seaoc_pv1) {
+  EXPECT_THAT(run_program({"standards", "--sds-g", "1"}).out,
+              states("G115", "AC156", "1.5 in SEAOC PV1-2012"));
 }
 
 TEST(Standards, sdc_c_asks_for_six_inches) {

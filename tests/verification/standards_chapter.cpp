@@ -34,12 +34,17 @@ void add_displacements(std::vector<Case>& cases) {
   cases.push_back(compare({"ASCE 7-16 13.6.12, S_DS 1.050 g, I_e 1", "displacement, in",
                            "stamped permit calculation; rounded"},
                           {asce_in(1.050), 25.4, 0.051, Metric::absolute}));
-  const auto separations = asce7_16_separations(asce7_16_displacement(1.050, 1.0).value_m);
+  const auto separations =
+      separations_of(Standard::asce7_16, asce7_16_displacement(1.050, 1.0).value_m);
   for (std::size_t i = 0; i < separations.size(); ++i)
     cases.push_back(compare({"ASCE 7-16 separation " + separations[i].what,
                              "share of the displacement", "stamped permit calculation"},
                             {separations[i].value_m / asce7_16_displacement(1.050, 1.0).value_m,
                              std::array{0.5, 1.0, 1.0, 2.0}[i], 1e-15}));
+  cases.push_back(compare(
+      {"ASCE 7-16, edge without a qualifying parapet, displacement 19.2 in", "separation, in",
+       recalled},
+      {separations_of(Standard::asce7_16, 19.2 * inch_m).back().value_m / inch_m, 48.0, 1e-15}));
   cases.push_back(
       compare({"SEAOC PV1-2012 below its floor, S_DS 0.7 g", "displacement, in", recalled},
               {seaoc_in(0.7, SeismicDesignCategory::d), 6.0, 1e-15}));

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "glissade/design/project.hpp"
+#include "glissade/standards/conditions.hpp"
 #include "glissade/study/results.hpp"
 
 // From the results of a project's studies to one governing displacement and its separations.
@@ -35,14 +36,6 @@ struct PeriodDemand {
   double median_orientation_m = 0.0;              ///< the mean in the median orientation
 };
 
-/// A condition of a prescriptive value. Not known: nothing.
-struct CodeCondition {
-  std::string text;
-  std::string found;  ///< "10", "not stated"
-  std::optional<bool> is_met;
-  Provenance provenance;
-};
-
 /// A prescriptive displacement at the site, whether it may be used, and the least value of an
 /// analysis in its place.
 struct PrescribedValue {
@@ -53,9 +46,11 @@ struct PrescribedValue {
   std::string floor_basis;
 
   bool may_be_used() const;
-  /// "six storeys or fewer: 10": of the conditions that are not met or not known; else empty.
+  /// Of the conditions that are not met or not known; else empty.
   std::string not_met() const;
 };
+/// What both standards judge: the friction by its design value, which is below the mean.
+ArrayFacts facts_of(const Project& project, const SiteValues& site);
 std::vector<PrescribedValue> prescribed_values(const Project& project, const SiteValues& site);
 
 /// The required displacement with one input changed.

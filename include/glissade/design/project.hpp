@@ -38,10 +38,16 @@ struct ProjectBuilding {
   double damping = 0.05;
 };
 
+/// What conditions of the standards ask; none: not stated.
+struct ProjectArray {
+  std::optional<double> centre_of_mass_m, support_spacing_m, interconnection;  ///< as ArrayFacts
+};
+
 struct ProjectFriction {
   double mean = 0.5, std = 0.0;
   std::optional<double> lower_bound;  ///< 95 % confidence bound of MuStatistics, the lowest of all
                                       ///< directions; none: the number of tests is not known
+  std::optional<std::size_t> tests;   ///< behind mean and std; none: not stated
   std::string source;                 ///< "7 pull tests in pulls.csv (SHA-256 ...)"
   std::vector<DirectionFriction> tested;  ///< of pull tests, each direction; empty: mean, std given
   std::string direction;                  ///< the one of them that is taken
@@ -51,8 +57,8 @@ struct ProjectFriction {
   double design() const;
 };
 
-/// What an array may come near to, with the part of the design displacement that ASCE 7-16, 13.6.12
-/// requires; `available_m` where the project states it.
+/// What an array may come near to, with what the project's standard requires; `available_m` where
+/// the project states it.
 struct ProjectSeparation {
   Separation required;
   std::optional<double> available_m;
@@ -76,13 +82,14 @@ struct Project {
   ProjectBuilding building;
   std::vector<double> slope_deg;  ///< increasing, >= 0
   ProjectFriction friction;
+  ProjectArray array;
   std::string spectrum_file;  ///< of a target by points, relative to the project file
   std::string spectrum_sha256;
   std::filesystem::path suite;  ///< suite file
   bool without_target = false;  ///< also one that falls short at periods above 2 s
   std::uint64_t samples = 128, seed = 1;
   std::optional<ProjectHazard> hazard;
-  std::vector<std::optional<double>> available_m;  ///< by separation of asce7_16_separations()
+  std::vector<std::optional<double>> available_m;  ///< by separation of separations_of()
   Standard standard = Standard::asce7_16;
   double importance = 1.0;
   bool peer_reviewed = false;

@@ -36,6 +36,7 @@ void add_results(CalculationJson& json, const DesignClearance& design) {
     json["separations"].push_back(
         {{"between", s.required.what},
          {"factor", s.required.factor},
+         {"least_m", s.required.least_m},
          {"required_m", s.required.value_m},
          {"available_m", s.available_m ? CalculationJson(*s.available_m) : CalculationJson()},
          {"is_sufficient", s.available_m ? CalculationJson(*s.available_m >= s.required.value_m)
@@ -54,7 +55,7 @@ CalculationJson prescribed_json(const PrescribedValue& value) {
                        {"value_m", value.prescribed.value_m},
                        {"conditions_met", value.may_be_used()},
                        {"conditions_not_met", value.not_met()}};
-  for (const Separation& s : asce7_16_separations(value.prescribed.value_m))
+  for (const Separation& s : separations_of(value.standard, value.prescribed.value_m))
     json["separations_m"].push_back(s.value_m);
   return json;
 }

@@ -68,7 +68,7 @@ void print_inputs(const Project& project) {
                                  building.period_basis, range_text(building.mass_ratio)),
                      terminal_width, 12));
   fmt::print("{:<12}slope {} degrees\n", "roof", range_text(project.slope_deg));
-  const std::vector<Separation> separations = asce7_16_separations(1.0);
+  const std::vector<Separation> separations = separations_of(project.standard, 1.0);
   std::string at_hand;
   for (std::size_t i = 0; i < separations.size(); ++i) {
     if (project.available_m[i])

@@ -257,6 +257,7 @@ void take_tests(const TomlTable& table, const fs::path& folder, ProjectFriction&
       table.report("file", "one pull test gives no standard deviation", "test more");
       return;
     }
+    friction.tests = statistics.tests;
     friction.mean = statistics.mean;
     friction.std = statistics.std;
     for (const DirectionFriction& d : friction.tested) {
@@ -285,6 +286,7 @@ ProjectFriction read_project_friction(const TomlTable& table, const fs::path& fo
   friction.std = mu.required_number("std", not_negative);
   friction.source = table.text("source").value_or("-");
   if (const auto tests = table.whole("tests", 2, 1000)) {
+    friction.tests = *tests;
     friction.lower_bound = lower_bound_95(friction.mean, friction.std, *tests);
     friction.source += fmt::format(" ({} tests)", *tests);
   }
@@ -309,7 +311,14 @@ std::optional<ProjectHazard> read_project_hazard(const TomlTable& table, const f
                        config->design_life_years};
 }
 
+ProjectArray read_array(const TomlTable& table) {
+  return {table.number("centre_of_mass_m", above_zero),
+          table.number("support_spacing_m", above_zero),
+          table.number("interconnection", not_negative)};
+}
+
 void read_rest(const TomlTable& root, Project& project) {
+  project.array = read_array(root.table("array"));
   project.hazard = read_project_hazard(root.table("hazard"), project.file.parent_path());
   const TomlTable suite = root.table("suite");
   project.suite = (project.file.parent_path() / suite.text("file").value_or("")).lexically_normal();
@@ -359,7 +368,8 @@ std::string outliers_of(const ProjectFriction& mu) {
 std::vector<std::string> plain_numbers(const TomlTable& root) {
   constexpr std::pair<const char*, const char*> keys[] = {
       {"building", "height_m"},        {"building", "array_weight_kn"},
-      {"building", "weight_kn"},       {"clearances", "similar_array_m"},
+      {"building", "weight_kn"},       {"array", "centre_of_mass_m"},
+      {"array", "support_spacing_m"},  {"clearances", "similar_array_m"},
       {"clearances", "obstruction_m"}, {"clearances", "parapet_edge_m"},
       {"clearances", "open_edge_m"},   {"result", "round_up_m"}};
   std::vector<std::string> texts;

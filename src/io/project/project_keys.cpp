@@ -56,6 +56,13 @@ const std::vector<GrammarKey> keys = {
     {"friction", "tests", "7", alternative,
      "the number of tests behind mu, which bounds what they support"},
     {"friction", "source", "\"test report 123\"", alternative, "where mu comes from"},
+    {"array", "centre_of_mass_m", "\"18 in\"", alternative,
+     "height of the array's centre of mass above the roof: a condition of the standards"},
+    {"array", "support_spacing_m", "\"5 ft\"", alternative,
+     "least spacing of the array's supports in plan: a condition of the standards"},
+    {"array", "interconnection", "0.2", alternative,
+     "horizontal design strength across any section of the array over the weight of its lighter "
+     "side: a condition of the standards"},
     {"suite", "file", "\"suite.toml\"", required, "suite of ground motions (suites/README.md)"},
     {"sampling", "samples", "128", in_example, "samples of the probability study, a power of two"},
     {"clearance", "without_target", "true", alternative,

@@ -11,6 +11,7 @@
 #include "glissade/motion/suite_scaling.hpp"
 #include "glissade/report/format.hpp"
 #include "glissade/report/package.hpp"
+#include "glissade/report/standards_tables.hpp"
 #include "package/figures.hpp"
 #include "package/free_body.hpp"
 #include "package/tables.hpp"
@@ -150,10 +151,10 @@ Html motions_html(const CalculationPackage& package, const std::vector<DrawnFigu
   return section_heading(2) + page_table(site_table(package)) +
          paragraph(
              fmt::format("Suite: {}: {}. The suite, with its own scales, is multiplied by one "
-                         "factor, so that its average SRSS spectrum is not below the design "
-                         "spectrum at the periods of the scaling rule, 0 to 2 s (Walters et al. "
-                         "2012){}. Between these periods it is from {:.3f} times (at {:.3g} s) to "
-                         "{:.3f} times (at {:.3g} s) the design spectrum. MCE is 1.5 times DBE.",
+                         "factor, so that its average SRSS spectrum is the design spectrum or more "
+                         "at each period of the scaling rule, 0 to 2 s (Walters et al. 2012){}. "
+                         "Between these periods the lowest is {:.3f} times the design spectrum (at "
+                         "{:.3g} s), the highest {:.3f} times (at {:.3g} s). MCE is 1.5 times DBE.",
                          package.demand.suites.front().name,
                          package.demand.suites.front().description, beyond, ratios.lowest.ratio,
                          ratios.lowest.period_s, ratios.highest.ratio, ratios.highest.period_s)) +
@@ -226,7 +227,8 @@ Html required_html(const CalculationPackage& package) {
                               length_in_both(design.governing_m),
                               length_in_both(design.rounded_m)));
   return "<div class=\"short\">\n" + section_heading(5) + list(steps) + "</div>\n" +
-         page_table(prescribed_table(package));
+         page_table(prescribed_table(package)) +
+         page_table(conditions_table(facts_of(package.project, design.site)));
 }
 
 Html checks_html(const CalculationPackage& package) {
@@ -298,11 +300,19 @@ Html records_html(const CalculationPackage& package) {
 
 void write_package(const CalculationPackage& package, const std::filesystem::path& out_dir) {
   const LengthUnits units(package.project.units);
-  std::vector<Table> tables{
-      title_table(package.project), inputs_table(package),      site_table(package),
-      motions_table(package),       files_table(package),       demand_table(package),
-      prescribed_table(package),    separations_table(package), sensitivity_table(package),
-      exceedance_table(package),    compared_table(package),    checks_table(package)};
+  std::vector<Table> tables{title_table(package.project),
+                            inputs_table(package),
+                            site_table(package),
+                            motions_table(package),
+                            files_table(package),
+                            demand_table(package),
+                            prescribed_table(package),
+                            separations_table(package),
+                            sensitivity_table(package),
+                            conditions_table(facts_of(package.project, package.design.site)),
+                            exceedance_table(package),
+                            compared_table(package),
+                            checks_table(package)};
   for (Table& table : given_curves(package.project)) tables.push_back(std::move(table));
   write_tables(tables, out_dir);
   const std::vector<DrawnFigure> figures = draw(package_figures(package), out_dir);

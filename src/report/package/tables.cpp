@@ -21,10 +21,6 @@ std::string or_blank(const std::string& text) {
   return text.empty() ? "____________________" : text;
 }
 
-std::string provenance_mark(Provenance provenance) {
-  return provenance == Provenance::checked ? "" : " (recalled)";
-}
-
 std::string target_text(const Project& project) {
   const DesignTarget& target = project.site.target;
   if (!target.period_s.empty())
@@ -294,30 +290,22 @@ Table demand_table(const CalculationPackage& package) {
 
 Table prescribed_table(const CalculationPackage& package) {
   Table table{"prescribed",
-              "Prescribed displacements, their conditions, and the least value of an analysis",
+              "Prescribed displacements, and the least value of an analysis",
               {text_column("standard", "Standard"), text_column("value", "Prescribed"),
                text_column("conditions", "Conditions of its use"),
                text_column("floor", "Least of an analysis"), text_column("basis", "Basis")},
               {}};
   for (const PrescribedValue& value : package.design.prescribed) {
-    std::string conditions;
-    for (const CodeCondition& c : value.conditions) {
-      conditions += fmt::format("{}{}{}: {}{}", conditions.empty() ? "" : "; ", c.text,
-                                provenance_mark(c.provenance), c.found,
-                                !c.is_met   ? ""
-                                : *c.is_met ? ", met"
-                                            : ", NOT MET");
-    }
+    const std::string not_met = value.not_met();
     table.add({standard_name(value.standard) +
                    (value.standard == package.project.standard ? " (of the project)" : ""),
-               length_in_both(value.prescribed.value_m), conditions,
+               length_in_both(value.prescribed.value_m),
+               not_met.empty() ? "met" : "NOT MET or not stated: " + not_met,
                length_in(value.floor_share * value.prescribed.value_m) + ", " + value.floor_basis +
                    " (recalled)",
                value.prescribed.basis});
+    table.notes.push_back(analysis_provision(value.standard) + ".");
   }
-  table.notes.push_back(
-      "(recalled): from memory of the standard. Verify against the standard: it may have "
-      "conditions that are not listed here.");
   return table;
 }
 
@@ -335,7 +323,8 @@ Table separations_table(const CalculationPackage& package) {
                                              length_in(prescribed.value_m))),
        text_column("available", "Available"), text_column("verdict", "Verdict")},
       {}};
-  const std::vector<Separation> of_prescribed = asce7_16_separations(prescribed.value_m);
+  const Standard standard = package.project.standard;
+  const std::vector<Separation> of_prescribed = separations_of(standard, prescribed.value_m);
   const std::vector<std::string> reservations = reservations_on(package.project, package.design);
   std::size_t row = 0;
   for (const ProjectSeparation& s : package.design.separations) {
@@ -354,9 +343,12 @@ Table separations_table(const CalculationPackage& package) {
   }
   for (const std::string& reservation : reservations)
     table.notes.push_back("Reservation: " + reservation + ".");
-  table.notes.push_back(
-      "A qualifying parapet rises 6 in (0.15 m) or more above the centre of mass of the array and "
-      "24 in (0.61 m) or more above the roof (ASCE 7-16, 13.6.12, recalled: verify).");
+  for (const Separation& s : of_prescribed) {
+    if (!s.basis.empty())
+      table.notes.push_back(fmt::format("{}: {:g} times the displacement; {}.", capitalised(s.what),
+                                        s.factor, s.basis));
+  }
+  table.notes.push_back(qualifying_parapet(standard) + ".");
   return in_inches() ? table : table.without("required_ft");
 }
 
@@ -449,7 +441,7 @@ Table compared_table(const CalculationPackage& package) {
     table.add(std::move(cells));
   }
   table.notes.push_back(
-      "A clearance allows the displacement clearance / factor (ASCE 7-16, 13.6.12); between "
+      "A clearance allows the displacement clearance / factor; between "
       "similar arrays only where both slide alike. Each number is that of the building period "
       "where it is largest. " +
       accepted_sentence(design) + ".");

@@ -3,9 +3,7 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cmath>
-
+#include "glissade/standards/conditions.hpp"
 #include "plan/plan_notes.hpp"
 
 namespace glissade {
@@ -17,22 +15,28 @@ Prescription prescribed_displacement(Standard standard, double sds_g,
              : asce7_16_displacement(sds_g, standards.importance);
 }
 
-/// Cases that SEAOC PV1-2012 does not prescribe for.
+/// Cases that a standard does not prescribe for.
 std::vector<std::string> StandardsAnalysis::plan_notes(const StudyOutline& study) {
-  const auto& compare = study.config.standards.compare;
-  if (std::ranges::find(compare, Standard::seaoc_pv1_2012) == compare.end()) return {};
-  std::size_t outside = 0;
-  for (std::size_t i = 0; i < study.cases; ++i) {
-    const Case c = study.case_of(i);
-    if (!seaoc_pv1_2012_applies(std::abs(c.slope_deg), c.friction)) ++outside;
+  std::vector<std::string> notes;
+  for (const Standard standard : study.config.standards.compare) {
+    std::size_t outside = 0;
+    for (std::size_t i = 0; i < study.cases; ++i) {
+      const Case c = study.case_of(i);
+      const double friction = stated_friction(study.config, c);
+      if (!is_within(standard, {.slope_deg = c.slope_deg, .friction = friction})) ++outside;
+    }
+    if (outside == 0) continue;
+    notes.push_back(
+        fmt::format("{:.3g} % of the cases are outside the range of the prescribed value of {} "
+                    "(slope of {:.3g} "
+                    "degrees or less, friction of {:g} or more); {}",
+                    100.0 * static_cast<double>(outside) / static_cast<double>(study.cases),
+                    standard == Standard::seaoc_pv1_2012 ? "SEAOC PV1-2012" : "ASCE 7-16",
+                    slope_limit_deg(standard), friction_limit(standard),
+                    study.config.chart ? "the chart gives no value of it for them"
+                                       : "they are compared with it all the same"));
   }
-  if (outside == 0) return {};
-  return {fmt::format(
-      "{:.0f} % of the cases are outside the range of SEAOC PV1's prescriptive value (slope under "
-      "3 degrees and mu above 0.4); {}",
-      100.0 * static_cast<double>(outside) / static_cast<double>(study.cases),
-      study.config.chart ? "the chart gives no value of it for them"
-                         : "they are compared with it all the same")};
+  return notes;
 }
 
 }  // namespace glissade

@@ -9,16 +9,11 @@
 
 #include "analysis/pooled_level.hpp"
 #include "glissade/core/contract.hpp"
+#include "glissade/standards/conditions.hpp"
 #include "glissade/study/results.hpp"
 
 namespace glissade {
 namespace {
-
-bool is_within_conditions(Standard standard, double mu, double slope_deg) {
-  return standard == Standard::seaoc_pv1_2012
-             ? seaoc_pv1_2012_applies(slope_deg, mu)
-             : slope_deg <= asce7_16_slope_limit_deg && mu >= asce7_16_mu_limit;
-}
 
 /// What is compared with prescribed values.
 using Field = HistoryValues<double> HistoryFields::*;
@@ -79,22 +74,20 @@ class Buildings {
   std::vector<AtPeriod> buildings_;
 };
 
-/// Exactly the value where all cases have the same.
-double mean_of(std::span<const Case> cases, double Case::*parameter) {
-  const double first = cases.front().*parameter;
-  double beyond = 0.0;
-  for (const Case& c : cases) beyond += c.*parameter - first;
-  return first + beyond / static_cast<double>(cases.size());
-}
-
 /// Of a combination that is the first of its building periods; with what does not depend on the
 /// standard and the level.
-VerdictRow kind_of_array(const CaseSet& set, std::size_t combination) {
+VerdictRow kind_of_array(const StudyConfig& config, const CaseSet& set, std::size_t combination) {
   VerdictRow row{.first_case = set.index(combination, 0, 0),
                  .condition = set.describe(combination, Buildings::period_key)};
   const std::span cases(set.cases.data() + row.first_case, set.per_combination());
-  row.mu = mean_of(cases, &Case::friction);
-  row.slope_deg = mean_of(cases, &Case::slope_deg);
+  const auto mean_beyond = [&](double first, auto value) {  // exactly the first if all are equal
+    double beyond = 0.0;
+    for (const Case& c : cases) beyond += value(c) - first;
+    return first + beyond / static_cast<double>(cases.size());
+  };
+  const auto friction = [&](const Case& c) { return stated_friction(config, c); };
+  row.mu = mean_beyond(friction(cases.front()), friction);
+  row.slope_deg = cases.front().slope_deg;
   return row;
 }
 
@@ -106,10 +99,11 @@ bool is_designed_for(const Results& results, const VerdictRow& kind, double sds_
 }
 
 /// What does not depend on the standard, at each S_DS of which the MCE is a level too.
-std::vector<VerdictRow> computed_rows(const Results& results, const Buildings& buildings,
-                                      std::size_t combination, const VerdictResults& verdict) {
+std::vector<VerdictRow> computed_rows(const StudyConfig& config, const Results& results,
+                                      const Buildings& buildings, std::size_t combination,
+                                      const VerdictResults& verdict) {
   std::vector<VerdictRow> rows;
-  const VerdictRow kind = kind_of_array(results.cases, combination);
+  const VerdictRow kind = kind_of_array(config, results.cases, combination);
   for (std::size_t level = 0; level < results.levels.size(); ++level) {
     const double sds_g = results.levels[level];
     if (level_at(results.levels, mce_over_dbe * sds_g) == results.levels.size() ||
@@ -142,7 +136,7 @@ class Separations {
 
   void add_to(VerdictResults& verdict, const Buildings& displacements) const {
     const VerdictRow& row = verdict.rows.back();
-    const std::vector<Separation> all = asce7_16_separations(row.prescribed.value_m);
+    const std::vector<Separation> all = separations_of(row.standard, row.prescribed.value_m);
     const auto add = [&](const Separation& separation, const std::string& where,
                          const Buildings& buildings) {
       const auto exceedance = [&](double sds_g) {
@@ -195,12 +189,13 @@ VerdictResults VerdictAnalysis::find(const StudyConfig& config, const Results& r
       continue;
     const Buildings buildings(results, c, displacement);
     const Separations separations(results, c);
-    const std::vector<VerdictRow> computed = computed_rows(results, buildings, c, verdict);
+    const std::vector<VerdictRow> computed = computed_rows(config, results, buildings, c, verdict);
     for (const Standard standard : config.standards.compare) {
       for (VerdictRow row : computed) {
         row.standard = standard;
         row.prescribed = prescribed_displacement(standard, row.sds_g, config.standards);
-        row.within_conditions = is_within_conditions(standard, row.mu, row.slope_deg);
+        row.within_conditions =
+            is_within(standard, {.slope_deg = row.slope_deg, .friction = row.mu});
         row.dbe = buildings.exceedance(level_at(results.levels, row.sds_g), row.prescribed.value_m);
         row.mce = buildings.exceedance(level_at(results.levels, mce_over_dbe * row.sds_g),
                                        row.prescribed.value_m);

@@ -384,6 +384,24 @@ TEST_F(ProjectFile, conditions_of_both_standards_are_of_storeys_and_risk_too) {
   }
 }
 
+TEST_F(ProjectFile, states_what_the_standards_ask_of_the_array) {
+  const std::string text =
+      "[array]\ncentre_of_mass_m = \"18 in\"\nsupport_spacing_m = \"5 ft\"\n"
+      "interconnection = 0.2\n\n[building]\nstoreys = 2\n";
+  const Project project = read(changed("[building]\n", text));
+  EXPECT_DOUBLE_EQ(project.array.centre_of_mass_m.value(), 0.4572);
+  for (const PrescribedValue& value : prescribed_values(project, site_values(project.site)))
+    EXPECT_EQ(value.not_met(), "");
+}
+
+TEST_F(ProjectFile, several_storeys_as_one_mass_are_warned_of) {
+  const auto of_storeys = [&](const char* storeys) {
+    return choices_of(read(changed("[building]\n", std::string("[building]\n") + storeys)));
+  };
+  EXPECT_THAT(of_storeys("storeys = 2\n"), Contains(states("2 storeys", "too little slip", "1.4")));
+  EXPECT_THAT(of_storeys("storeys = 1\n"), Not(Contains(states("too little slip"))));
+}
+
 TEST_F(ProjectFile, a_spectrum_by_points_is_of_its_edition_and_in_g) {
   const auto site = [&](const std::string& edition) {
     std::string text = changed("edition = \"asce7_16\"\nss_g = 1.313\ns1_g = 0.471\n",

@@ -68,7 +68,7 @@ TEST(chart_report, names_the_factor_of_the_study) {
 
 TEST(chart_summary, says_that_seaoc_is_not_for_the_shown_point) {
   Results results = made_up_chart_results();
-  results.chart->shown_slope_deg = 3.0;
+  results.chart->shown_slope_deg = 3.5;
   EXPECT_THAT(answer_sentences(results), Contains(states("3 degrees", "0.4")));
   results.chart->shown_slope_deg = 0.0;
   EXPECT_THAT(answer_sentences(results), Not(Contains(states("3 degrees"))));

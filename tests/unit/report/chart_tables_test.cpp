@@ -94,14 +94,16 @@ TEST(chart_tables, report_free_sliding_as_infinite) {
 }
 
 TEST(chart_tables, give_standards_only_where_they_apply) {
-  // 60 (1 - 0.4)^2 = 21.6 in at S_DS = 1 g, for slopes under 3 degrees and mu above 0.4; ASCE 7-16
-  // 5 (1 - 0.4)^2 = 1.8 ft is below its floor of 24 in.
+  // 60 (1 - 0.4)^2 = 21.6 in at S_DS = 1 g, for slopes of 3 degrees or less and mu of 0.4 or more;
+  // ASCE 7-16 5 (1 - 0.4)^2 = 1.8 ft is below its floor of 24 in, for slopes of 1 in 20 or less.
   const Table table = table_named(made_up_chart_results(), "chart");
   EXPECT_NEAR(number(table, row_at_1g(5, 7), "seaoc_pv1_2012"), 0.54864, 1e-12);  // 2.5, 0.45
-  EXPECT_TRUE(std::isnan(number(table, row_at_1g(6, 7), "seaoc_pv1_2012")));      // 3 degrees
+  EXPECT_NEAR(number(table, row_at_1g(6, 6), "seaoc_pv1_2012"), 0.54864, 1e-12);  // 3, 0.4
+  EXPECT_TRUE(std::isnan(number(table, row_at_1g(7, 7), "seaoc_pv1_2012")));      // 3.5 degrees
   EXPECT_TRUE(std::isnan(number(table, row_at_1g(5, 5), "seaoc_pv1_2012")));      // mu = 0.35
-  EXPECT_NEAR(number(table, row_at_1g(5, 0), "asce7_16"), 0.6096, 1e-12);  // 2.5: up to 1 in 20
-  EXPECT_TRUE(std::isnan(number(table, row_at_1g(6, 0), "asce7_16")));     // 3
+  EXPECT_NEAR(number(table, row_at_1g(5, 6), "asce7_16"), 0.6096, 1e-12);         // 2.5, 0.4
+  EXPECT_TRUE(std::isnan(number(table, row_at_1g(5, 5), "asce7_16")));            // mu = 0.35
+  EXPECT_TRUE(std::isnan(number(table, row_at_1g(6, 7), "asce7_16")));            // 3 degrees
 }
 
 TEST(chart_tables, give_every_period_by_itself) {
@@ -136,9 +138,9 @@ TEST(chart_tables, count_the_points_that_need_more_than_is_prescribed) {
   const Table table = table_named(results, "chart_standards");
   EXPECT_EQ(number(table, 1, "above_share"), 0.0);
   EXPECT_NEAR(number(table, 1, "prescribed"), 0.54864, 1e-12);
-  // Flat and mu = 0.45 made to need more: 1 of 6 slopes x 8 frictions (0.45 to 0.8).
+  // Flat and mu = 0.45 made to need more: 1 of 7 slopes (to 3) x 9 frictions (0.4 to 0.8).
   results.chart->points[row_at_1g(0, 7)].clearance_m = 0.6;
-  EXPECT_NEAR(number(table_named(results, "chart_standards"), 1, "above_share"), 1.0 / 48.0, 1e-12);
+  EXPECT_NEAR(number(table_named(results, "chart_standards"), 1, "above_share"), 1.0 / 63.0, 1e-12);
 }
 
 // A flat roof with mu = 0.5 at 1 g: 0.1375 m.

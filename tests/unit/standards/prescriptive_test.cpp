@@ -75,16 +75,28 @@ TEST(seaoc_pv1_2012, low_categories_have_six_inches_whatever_the_sds) {
   }
 }
 
-TEST(asce7_16_separations, are_half_one_one_and_two_displacements) {
-  const std::vector<Separation> separations = asce7_16_separations(0.6);
-  ASSERT_EQ(separations.size(), 4u);
-  const double expected_m[] = {0.3, 0.6, 0.6, 1.2};
-  for (std::size_t i = 0; i < 4; ++i) {
-    EXPECT_DOUBLE_EQ(separations[i].value_m, expected_m[i]) << separations[i].what;
-    EXPECT_EQ(separations[i].provenance, Provenance::checked);
+TEST(separations, are_half_one_one_and_two_displacements) {
+  for (const Standard standard : {Standard::asce7_16, Standard::seaoc_pv1_2012}) {
+    const std::vector<Separation> separations = separations_of(standard, 0.7);
+    ASSERT_EQ(separations.size(), 4u);
+    const double expected_m[] = {0.35, 0.7, 0.7, 1.4};
+    for (std::size_t i = 0; i < 4; ++i)
+      EXPECT_DOUBLE_EQ(separations[i].value_m, expected_m[i]) << separations[i].what;
+    EXPECT_THAT(separations[0].what, HasSubstr("similar arrays"));
+    EXPECT_THAT(separations[3].what, HasSubstr("without"));
   }
-  EXPECT_THAT(separations[0].what, HasSubstr("similar arrays"));
-  EXPECT_THAT(separations[3].what, HasSubstr("without"));
+}
+
+// Issue 34: 2 x 19.2 in is 3.2 ft. The evidence of the factors, a permit sheet, is of ASCE 7-16.
+TEST(separations, to_an_edge_are_4_ft_or_more_by_ASCE_7_16_and_all_of_SEAOC_PV1_is_recalled) {
+  const Separation edge = separations_of(Standard::asce7_16, 19.2 * inch_m).back();
+  EXPECT_DOUBLE_EQ(edge.value_m, 4.0 * foot_m);
+  EXPECT_EQ(edge.provenance, Provenance::recalled);
+  EXPECT_EQ(separations_of(Standard::asce7_16, 25.4 * inch_m).back().provenance,
+            Provenance::checked);
+  for (const Separation& s : separations_of(Standard::seaoc_pv1_2012, 19.2 * inch_m))
+    EXPECT_EQ(s.provenance, Provenance::recalled);
+  EXPECT_THAT(separations_of(Standard::seaoc_pv1_2012, 1.0).back().basis, HasSubstr("1.5"));
 }
 
 TEST(prescriptive_input, negative_or_non_finite_numbers_are_input_errors) {
@@ -92,7 +104,7 @@ TEST(prescriptive_input, negative_or_non_finite_numbers_are_input_errors) {
     EXPECT_THROW(seaoc_pv1_2012_displacement(bad, a), InputError);
     EXPECT_THROW(asce7_16_displacement(bad, 1.0), InputError);
     EXPECT_THROW(asce7_16_displacement(1.0, bad), InputError);
-    EXPECT_THROW(asce7_16_separations(bad), InputError);
+    EXPECT_THROW(separations_of(Standard::asce7_16, bad), InputError);
   }
 }
 

@@ -155,6 +155,23 @@ TEST(verdict, has_the_exact_friction_of_cases_that_share_it) {
   EXPECT_TRUE(verdict.rows[0].within_conditions);  // of ASCE 7-16: 0.4 or more
 }
 
+// Issue 34: by the mean of 16 samples one seed was within and three outside.
+TEST(verdict, judges_conditions_by_the_stated_mean_and_not_by_what_was_drawn) {
+  TwoFrictions made;
+  made.config.standards.compare = {Standard::asce7_16, Standard::seaoc_pv1_2012};
+  made.config.quantities.at("friction", "mu") = {{}, Distribution(Normal{0.4, 0.04})};
+  for (const double drawn : {0.39, 0.41}) {
+    for (Case& c : made.results.cases.cases) c.friction = drawn;
+    for (const VerdictRow& row : VerdictAnalysis::find(made.config, made.results).rows) {
+      EXPECT_EQ(row.mu, 0.4);
+      EXPECT_TRUE(row.within_conditions);
+    }
+  }
+  made.config.quantities.at("friction", "mu").drawn = Normal{0.39, 0.04};
+  for (const VerdictRow& row : VerdictAnalysis::find(made.config, made.results).rows)
+    EXPECT_FALSE(row.within_conditions);
+}
+
 TEST(verdict, has_the_four_separations_and_between_arrays_those_of_neighbours) {
   TwoFrictions made;
   made.slide(0, 0, 0, 3.0 * prescribed_m);  // one record of ten beyond twice the value

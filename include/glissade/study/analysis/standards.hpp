@@ -9,7 +9,6 @@
 
 namespace glissade {
 
-enum class Standard { seaoc_pv1_2012, asce7_16 };
 struct StandardsConfig {
   std::vector<Standard> compare;  ///< only with sds_g
   SeismicDesignCategory category = SeismicDesignCategory::d;

@@ -35,7 +35,7 @@ struct VerdictRow {
   Prescription prescribed;
   std::uint64_t first_case = 0;      ///< of the first building period
   std::string condition;             ///< what the study lists of it but the building period
-  double mu = 0.0, slope_deg = 0.0;  ///< means over the samples
+  double mu = 0.0, slope_deg = 0.0;  ///< as stated: of what is drawn the mean of its distribution
   bool within_conditions = false;    ///< of the standard: slope and friction
   VerdictProbability dbe, mce;
   /// At DBE, exceeded with each probability of VerdictResults::exceedance; infinite where so many

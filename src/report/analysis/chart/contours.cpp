@@ -10,6 +10,7 @@
 #include "analysis/chart/view.hpp"
 #include "glissade/core/units.hpp"
 #include "glissade/report/format.hpp"
+#include "glissade/standards/conditions.hpp"
 #include "plot/contour_lines.hpp"
 #include "text/study_text.hpp"
 
@@ -210,19 +211,16 @@ void add_gravity_region(const Chart& chart, ContourPlot& plot) {
 
 /// A standard's limits, as far as they are on the chart.
 void add_limits(const Chart& chart, Standard standard, ContourPlot& plot) {
-  const bool seaoc = standard == Standard::seaoc_pv1_2012;
   const double right = chart.mu.back(), bottom = chart.slope_deg.front();
-  const double left = std::max(seaoc ? seaoc_mu_limit : 0.0, chart.mu.front());
-  const double top =
-      std::min(seaoc ? seaoc_slope_limit_deg : asce7_16_slope_limit_deg, chart.slope_deg.back());
+  const double left = std::max(friction_limit(standard), chart.mu.front());
+  const double top = std::min(slope_limit_deg(standard), chart.slope_deg.back());
   if (left >= right || top < bottom) return;
   Look line = look(Role::bound);
-  if (!seaoc) line.dash = 4;
+  if (standard == Standard::asce7_16) line.dash = 4;
   plot.add_outline({DataSeries::Kind::line, line, standard_name(standard) + " limits",
-                    standard_name(standard) + " is for slopes below " +
-                        (seaoc ? "and friction right of " : "") + "this line"},
-                   seaoc ? Polyline{{left, bottom}, {left, top}, {right, top}}
-                         : Polyline{{left, top}, {right, top}});
+                    standard_name(standard) + " is for slopes below and friction right of this "
+                                              "line"},
+                   Polyline{{left, bottom}, {left, top}, {right, top}});
 }
 
 /// Where no line of a prescribed value crosses the chart.

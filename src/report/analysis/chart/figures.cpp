@@ -149,12 +149,12 @@ Figure chart_slope_figure(const Results& results) {
   }
   std::string out_of_range;
   for (const PrescribedLine& line : prescribed_at(chart, level)) {
-    if (mu > line.mu_limit()) {
+    if (mu >= line.mu_limit()) {
       plot.prescribed.push_back(
-          {line, {plot.x.front(), std::min(line.slope_limit_deg(), plot.x.back())}});
+          {line, {plot.x.front(), std::min(line.slope_limit(), plot.x.back())}});
     } else {
-      out_of_range = fmt::format(" {} is not drawn: it is for friction above {}.", line.label(),
-                                 line.mu_limit());
+      out_of_range = fmt::format(" {} is not drawn: it is for friction of {} or more.",
+                                 line.label(), line.mu_limit());
     }
   }
   const std::string reading = is_one_record(results) ? "Peak slip at each slope."
@@ -184,7 +184,7 @@ Figure chart_friction_figure(const Results& results) {
     if (from >= plot.x.back()) continue;
     plot.prescribed.push_back({line, {from, plot.x.back()}});
     slopes += fmt::format("{}{} to {:.3g}", slopes.empty() ? "; " : ", ", line.names(),
-                          line.slope_limit_deg());
+                          line.slope_limit());
   }
   if (!slopes.empty()) slopes += " degrees";
   return {"chart_friction",

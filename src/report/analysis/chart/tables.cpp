@@ -76,9 +76,8 @@ Table chart_table(const Results& results) {
   for (const Standard standard : standards) {
     table.columns.push_back(
         {stem_of(standard), "m", standard_name(standard) + ", m (in)", ColumnKind::length});
-    if (standard == Standard::seaoc_pv1_2012) {
-      table.notes.push_back("SEAOC PV1-2012 is for " + seaoc_limits() + ": empty elsewhere.");
-    }
+    table.notes.push_back(standard_name(standard) + " is for " + limits_of(standard) +
+                          ": empty elsewhere.");
   }
   for (const ChartPoint& p : chart.points) {
     std::vector<Cell> row = {p.level, p.slope_deg, p.mu};

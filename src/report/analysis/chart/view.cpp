@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "glissade/report/format.hpp"
+#include "glissade/standards/conditions.hpp"
 #include "text/study_text.hpp"
 
 namespace glissade {
@@ -191,29 +192,21 @@ std::string how_counted(const Results& results) {
   return text + drawn_friction(results);
 }
 
-std::string seaoc_limits() {
-  return fmt::format("slopes under {} degrees and friction above {}", seaoc_slope_limit_deg,
-                     seaoc_mu_limit);
-}
-
 std::string limits_of(Standard standard) {
-  return standard == Standard::seaoc_pv1_2012
-             ? seaoc_limits()
-             : fmt::format("slopes up to {:.2f} degrees, 1 in 20 (recalled: verify)",
-                           asce7_16_slope_limit_deg);
+  return fmt::format("slopes of {:.3g} degrees or less and friction of {:g} or more (recalled)",
+                     slope_limit_deg(standard), friction_limit(standard));
 }
 
 bool applies_at(Standard standard, double slope_deg, double mu) {
-  return standard == Standard::seaoc_pv1_2012 ? seaoc_pv1_2012_applies(slope_deg, mu)
-                                              : slope_deg <= asce7_16_slope_limit_deg;
+  return is_within(standard, {.slope_deg = slope_deg, .friction = mu});
 }
 
-double PrescribedLine::slope_limit_deg() const {
-  return only(Standard::asce7_16) ? asce7_16_slope_limit_deg : seaoc_slope_limit_deg;
+double PrescribedLine::slope_limit() const {
+  return slope_limit_deg(*std::ranges::max_element(standards, {}, slope_limit_deg));
 }
 
 double PrescribedLine::mu_limit() const {
-  return only(Standard::seaoc_pv1_2012) ? seaoc_mu_limit : 0.0;
+  return friction_limit(*std::ranges::min_element(standards, {}, friction_limit));
 }
 
 std::string PrescribedLine::names() const {

@@ -55,11 +55,9 @@ std::string chart_size(const Results& results);
 /// pooled where samples are drawn.
 std::string how_counted(const Results& results);
 
-/// Of SEAOC PV1-2012: "slopes under 3 degrees and friction above 0.4"
-std::string seaoc_limits();
-/// The same of any standard.
+/// "slopes of 3 degrees or less and friction of 0.4 or more (recalled)"
 std::string limits_of(Standard standard);
-/// SEAOC PV1-2012 within those limits, ASCE 7-16 on slopes up to its own.
+/// Within those limits.
 bool applies_at(Standard standard, double slope_deg, double mu);
 
 /// Standards that prescribe the same at a level: one line in a figure.
@@ -70,8 +68,8 @@ struct PrescribedLine {
   bool only(Standard standard) const {
     return standards.size() == 1 && standards.front() == standard;
   }
-  /// As far as one of them goes: slopes below, friction above.
-  double slope_limit_deg() const;
+  /// As far as one of them goes: slopes up to here, friction from here on.
+  double slope_limit() const;
   double mu_limit() const;
   std::string names() const;  ///< "SEAOC PV1-2012 and ASCE 7-16"
   std::string label() const;  ///< with the value, and whether it must be verified

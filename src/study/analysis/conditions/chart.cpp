@@ -18,7 +18,7 @@ namespace {
 
 /// The values along an axis of the chart: what the study lists, or, where it draws, the mean alone.
 std::vector<double> chart_axis(const Quantity& quantity) {
-  if (quantity.is_drawn()) return {mean(*quantity.drawn)};
+  if (quantity.is_drawn()) return {stated_mean(*quantity.drawn)};
   return quantity.values;
 }
 
@@ -154,7 +154,7 @@ std::map<std::array<double, 3>, std::vector<std::vector<std::size_t>>> cases_of_
   const auto& quantities = config.quantities;
   const auto value = [&](const char* table, const char* key, double of_case) {
     const Quantity& quantity = quantities.at(table, key);
-    return quantity.is_drawn() ? mean(*quantity.drawn) : of_case;
+    return quantity.is_drawn() ? stated_mean(*quantity.drawn) : of_case;
   };
   const bool across_lies_along = std::ranges::find(config.orientation.slope_axis, SlopeAxis::n_s) !=
                                  config.orientation.slope_axis.end();
