@@ -311,14 +311,15 @@ TEST_F(FaultWalk, a_report_to_which_any_call_fails_is_whole_or_reports_it) {
         {"tables", "figures", "report.html"}},
        disk_functions);
 }
-TEST_F(Faults, a_results_file_that_cannot_be_read_to_its_end_is_refused) {
-  const std::string results = (out() / "results.h5").string();
-  for (const char* at : {"FAULT_AT=1", "FAULT_AT=2", "FAULT_FROM=1"}) {
-    const Finished failed =
-        run_shell(std::string("FAULT_CALLS=read FAULT_ERRNO=5 ") + at +
-                  " FAULT_IN=results.h5 LD_PRELOAD=" GLISSADE_FAULTS_LIBRARY " \"$0\" report '" +
-                  results + "' --out '" + again_.string() + "'");
-    expect_refused(failed, {"results.h5", "cannot be read: Input/output error"});
+TEST_F(Faults, a_file_that_the_disk_does_not_give_back_is_refused) {
+  for (const std::string file : {"results.h5", "run.json"}) {
+    for (const char* at : {"FAULT_AT=1", "FAULT_AT=2", "FAULT_FROM=1"}) {
+      expect_refused(
+          run_shell("FAULT_CALLS=read FAULT_ERRNO=5 " + std::string(at) + " FAULT_IN=" + file +
+                    " LD_PRELOAD=" GLISSADE_FAULTS_LIBRARY " \"$0\" report '" +
+                    (out() / "results.h5").string() + "' --out '" + again_.string() + "'"),
+          {file, "cannot be read: Input/output error"});
+    }
   }
 }
 

@@ -6,7 +6,6 @@
 #include <unistd.h>
 
 #include <array>
-#include <fstream>
 #include <functional>
 #include <nlohmann/json.hpp>
 
@@ -64,9 +63,9 @@ Json read_run_json(const std::filesystem::path& run_json_file) {
   constexpr int most_depth = 16;  // JSON is copied and freed by recursion
   std::error_code error;
   if (std::filesystem::file_size(run_json_file, error) > most_bytes || error) return {};
-  std::ifstream in(run_json_file);
   Json json = Json::parse(
-      in, [](int depth, Json::parse_event_t, Json&) { return depth <= most_depth; },
+      read_text_file(run_json_file),
+      [](int depth, Json::parse_event_t, Json&) { return depth <= most_depth; },
       /*allow_exceptions=*/false);
   return json.is_object() ? json : Json();
 }
