@@ -312,7 +312,7 @@ TEST_F(FaultWalk, a_report_to_which_any_call_fails_is_whole_or_reports_it) {
        disk_functions);
 }
 TEST_F(Faults, a_file_that_the_disk_does_not_give_back_is_refused) {
-  for (const std::string file : {"results.h5", "run.json"}) {
+  for (const char* file : {"results.h5", "run.json"}) {
     for (const char* at : {"FAULT_AT=1", "FAULT_AT=2", "FAULT_FROM=1"}) {
       expect_refused(
           run_shell("FAULT_CALLS=read FAULT_ERRNO=5 " + std::string(at) + " FAULT_IN=" + file +
