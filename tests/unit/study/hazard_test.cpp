@@ -221,6 +221,21 @@ TEST(design_life, is_zero_where_nothing_slides_and_without_bound_beyond_the_leve
   EXPECT_EQ(study.run().life[0].median_m.value, infinity);
 }
 
+// 5e9 earthquakes a life above the lowest level: those above the first level of at most 2,000
+// count.
+TEST(design_life, counts_a_bounded_number_of_earthquakes) {
+  ByHand study(2, 1, {0.001, 10.0, 1000.0}, {0.3});
+  study.slide(0, 0.001, 0.0);
+  study.slide(1, 0.001, 0.0);
+  study.hazard(100.0, 2.0, 50.0);
+  const HazardRun run = study.run();
+  EXPECT_EQ(run.from_intensity, 10.0);
+  EXPECT_NEAR(run.events, 50.0, 1e-9);
+  EXPECT_EQ(run.moving_share, 1.0);
+  study.hazard(1e12, 2.0, 50.0);
+  EXPECT_LE(study.run().events, 2000.0);
+}
+
 TEST(design_life, is_the_same_each_time) {
   ByHand study(3, 2, {1.0, 3.0, 100.0}, {0.3});
   study.slide(0, 0.1, 0.02);

@@ -155,16 +155,20 @@ Percentiles percentiles_of(const std::array<std::vector<double>, 3>& slips) {
 
 void add_design_life(const HazardConfig& hazard, const Results& results, CaseSlice cases,
                      const BootstrapOptions& options, HazardRun& run) {
-  constexpr double most_events = 2e6;
+  constexpr double most_events = 2e6, most_of_a_life = 2000;
   constexpr std::size_t most_lives = 500000, fewest_lives = 1000, resampled_lives = 20000;
   const std::vector<double>& levels = results.levels;
   std::size_t first = 0;  // the highest level up to which nothing moves
   while (first + 1 < levels.size() && moving_share(results.histories, cases, first) == 0.0 &&
          moving_share(results.histories, cases, first + 1) == 0.0)
     ++first;
+  const auto events = [&] {
+    return hazard.design_life_years * hazard.curve.annual_rate(levels[first]);
+  };
+  while (first + 1 < levels.size() && events() > most_of_a_life) ++first;
   run.from_intensity = levels[first];
   run.moving_share = moving_share(results.histories, cases, first);
-  run.events = hazard.design_life_years * hazard.curve.annual_rate(levels[first]);
+  run.events = std::min(events(), most_of_a_life);
   const auto count = static_cast<std::size_t>(std::clamp(most_events / run.events,
                                                          static_cast<double>(fewest_lives),
                                                          static_cast<double>(most_lives)));
