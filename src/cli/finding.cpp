@@ -19,7 +19,9 @@ std::string value_text(const Finding& f) {
 
 std::string interval_text(const Finding& f) {
   return f.interval && !std::isnan(f.interval->low)
-             ? fmt::format("{:.4g} to {:.4g}", f.interval->low, f.interval->high)
+             ? fmt::format("{:.4g} to {}", f.interval->low,
+                           std::isinf(f.interval->high) ? "unbounded"
+                                                        : fmt::format("{:.4g}", f.interval->high))
              : "";
 }
 

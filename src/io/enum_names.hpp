@@ -96,7 +96,8 @@ inline EnumNames<FitStatus> fit_status_names() {
       {"always_exceeds", FitStatus::always_exceeds},
       {"one_level", FitStatus::one_level},
       {"one_capacity", FitStatus::one_capacity},
-      {"no_information", FitStatus::no_information}};
+      {"no_information", FitStatus::no_information},
+      {"extrapolated", FitStatus::extrapolated}};
   return names;
 }
 

@@ -95,6 +95,20 @@ TEST_F(Fit, separated_counts_are_fitted_by_the_labelled_penalty) {
   EXPECT_THAT(std::string(fit["method"]), testing::ContainsRegex("Jeffreys|penali"));
 }
 
+TEST_F(Fit, counts_that_end_below_one_half_say_so_and_leave_the_median_open) {
+  const std::string file =
+      folder_.write("low.csv", "im,num_gms,num_exceed\n0.3,40,0\n0.4,40,1\n0.5,40,2\n");
+  const Json fit = fit_json({"--counts", file});
+  EXPECT_EQ(fit["status"], "extrapolated beyond the data");
+  EXPECT_THAT(fit["note"].get<std::string>(), testing::HasSubstr("end below 50 %"));
+  EXPECT_TRUE(fit["median_interval_95"][1].is_null());
+  EXPECT_THAT(run_program({"fit", "--counts", file}).out, testing::HasSubstr("unbounded"));
+  EXPECT_THAT(run_program({"fit", "--counts",
+                           folder_.write("none.csv", "im,num_gms,num_exceed\n0.3,40,0\n")})
+                  .out,
+              testing::HasSubstr("log_std (assumed)"));
+}
+
 TEST_F(Fit, flat_counts_have_no_curve) {
   for (const char* rows : {"0.5,20,10\n1,20,10\n2,20,10\n", "0.2,20,7\n0.4,20,7\n0.8,20,7\n"}) {
     const Json fit = fit_json(
@@ -146,14 +160,20 @@ TEST_F(Fit, records_give_intervals_over_records_and_a_test_of_the_lognormal) {
   EXPECT_FALSE(models.contains("two_part"));
 }
 
-TEST_F(Fit, weights_give_the_sandwich_and_the_effective_records) {
+TEST_F(Fit, weights_give_the_effective_records) {
   const Json fit = fit_json({"--capacities", folder_.write("w.csv",
                                                            "im_cap,weight\n0.5,1\n0.8,1\n1.2,2\n"
                                                            "9,0\n")});
   EXPECT_NEAR(fit["effective_records"], 16.0 / 6.0, 1e-12);
   EXPECT_NEAR(std::log(fit["median"].get<double>()),
               (std::log(0.5) + std::log(0.8) + 2 * std::log(1.2)) / 4, 1e-9);
-  EXPECT_THAT(fit["interval_method"], testing::HasSubstr("sandwich"));
+  std::string plain = "im_cap\n", ones = "im_cap,weight,record\n";
+  for (const char* c : {"0.5", "0.6", "0.8", "0.9"}) {
+    plain += std::string(c) + "\n";
+    ones += std::string(c) + ",0.1,RSN" + c + "\n";
+  }
+  EXPECT_EQ(fit_json({"--capacities", folder_.write("plain.csv", plain)}),
+            fit_json({"--capacities", folder_.write("ones.csv", ones)}));
   expect_refused(
       run_program({"fit", "--capacities", folder_.write("z.csv", "im_cap,weight\n0.5,0\n1,0\n")}),
       {"z.csv", "weight"});

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "chapters.hpp"
+#include "coverage_of_fits.hpp"
 #include "glissade/core/normal.hpp"
 #include "glissade/core/random.hpp"
 #include "glissade/fragility/bootstrap.hpp"
@@ -124,7 +125,6 @@ void add(FitCoverage& share, const FitSummary& fit, const std::vector<Interval>&
 
 Coverage coverage(std::size_t records, Records kind) {
   Coverage share;
-  const BootstrapOptions options{.seed = 7, .replicates = 400};
   const auto x = intensities();
   std::vector<double> at;
   for (const double probability : band_probabilities)
@@ -134,10 +134,10 @@ Coverage coverage(std::size_t records, Records kind) {
   for (std::uint64_t i = 0; i < studies; ++i) {
     const Study study = simulated_study(10000 + i, records, kind, dbe);
     std::vector<Interval> band;
-    const FitSummary by_stripes = fit_stripes_by_record(x, study.stripes, options, at, &band);
+    const FitSummary by_stripes = fit_stripes_by_record(x, study.stripes, at, &band);
     add(share.stripes, by_stripes, band, median);
     const FitSummary by_capacities =
-        fit_capacities_by_record(study.capacities, x.back(), options, at, &band);
+        fit_capacities_by_record(study.capacities, x.back(), at, &band);
     add(share.capacities, by_capacities, band, median);
     share.share += covers(share_interval(study.shares), dbe_probability);
     share.naive_median += covers(fit_stripes(pooled(study.stripes)).median_interval, median);
@@ -172,14 +172,17 @@ void add_cases(std::vector<Case>& cases, std::size_t records) {
 }
 
 /// Below the nominal coverage where the curve is not that of the capacities.
-void add_skewed(std::vector<Case>& cases, Records kind, const std::string& name) {
-  const Coverage share = coverage(20, kind);
+void add_skewed(std::vector<Case>& cases, Records kind, const std::string& kind_name,
+                std::size_t records) {
+  const std::string name = std::to_string(records) + " records, " + kind_name;
+  const Coverage share = coverage(records, kind);
   const auto row = [&](const std::string& quantity, const char* reference, double value, double low,
                        double high) {
     cases.push_back(
         within({name, quantity, reference}, {"share of intervals that cover", value, low, high}));
   };
-  row("median, fitted on capacities", "nominal 95 %", share.capacities.median, 0.91, 0.97);
+  row("median, fitted on capacities", "nominal 95 %, of a lognormal, which this is not",
+      share.capacities.median, 0.75, 0.97);
   for (std::size_t i = 0; i < band_probabilities.size(); ++i) {
     if (band_probabilities[i] == 0.5) continue;  // the median's
     row(probability_name(band_probabilities[i]) + ", fitted on capacities",
@@ -254,15 +257,23 @@ exactly 95 %, 2,000 studies give less than 93 or more than 97 % with probability
 The rows named "cloud" are of `glissade fit --cloud` (theory, 6.9): 1,000 data sets of 20 and of 44 records of one motion each, of which some do not slip.
 Those whose records are separated have no interval and are not counted.
 
+Then `glissade fit` by the form of the data (capacities of log std 0.4, 1,000 sets a row, whose share has a standard deviation of 0.7 %): one row
+a record; correlated rows of a record; censored capacities; counts that end where 4 % exceed; importance weights. Rows named "wide" may cover more
+than 97 %: few records show anything there, and the intervals, mostly open above, allow for the worst. Sets without an interval (a bound, separated counts) are not counted.
+All rows of this chapter are made by `build/dev/tests/verification/verify DIR` (coverage_chapter.cpp, coverage_of_fits.cpp).
+
 The last rows are of records whose ln capacities are not normal but exponential, with the same mean and dispersion:
-a few records much weaker ("few weak"), or much stronger ("few strong"), than the others. No lognormal has this curve. The interval of the
-median covers. Those of low and high probabilities do not contain the true value as often as they state, because the fitted
-curve is not the true one; that of the share of the histories, which assumes no curve, does. Use the share where `run` warns that a fragility is not lognormal.)",
+a few records much weaker ("few weak"), or much stronger ("few strong"), than the others. No lognormal has this curve: the intervals do not contain the true value as often as they state, because the fitted
+curve is not the true one, and the less so the more records there are. That of the median comes near to 95 % with 20 records, not with 44; that of the share of the histories, which assumes no curve,
+does with both. Use the share where `run` warns that a fragility is not lognormal.)",
       {}};
   for (const std::size_t records : {7, 20, 44}) add_cases(chapter.cases, records);
   for (const std::size_t records : {20, 44}) add_cloud(chapter.cases, records);
-  add_skewed(chapter.cases, Records::few_weak, "20 records, few weak");
-  add_skewed(chapter.cases, Records::few_strong, "20 records, few strong");
+  add_coverage_of_fits(chapter.cases);
+  for (const std::size_t records : {20, 44}) {
+    add_skewed(chapter.cases, Records::few_weak, "few weak", records);
+    add_skewed(chapter.cases, Records::few_strong, "few strong", records);
+  }
   return chapter;
 }
 

@@ -29,26 +29,24 @@ struct BootstrapOptions {
   double level = 0.95;    ///< in (0, 1)
 };
 
-/// Pooled maximum likelihood, with intervals from the variance between records: quantiles over
-/// lines that the data allow (theory.md, 6.3). The naive binomial interval would cover a small
-/// fraction of its nominal level. Separated data (the records do not show how much they differ) and
-/// one record: no interval (NaN). No exceedance in any record: a bound with one trial per record
-/// and level. The share of `free` histories is the curve's floor. Where it is the same in all
-/// records (slope and friction decide it, which records share) they do not show how uncertain it
-/// is: it has no interval, and the other intervals take it as known. Else the floors are those of
-/// resampled records, their departures expanded. `band` (if not null) receives, per given
-/// intensity, the pointwise interval of the probability (NaN where there is none): both ends rise
-/// with intensity, and cross 1/2 where p50_interval ends. Throws InputError for counts or
-/// capacities out of range.
+/// Pooled maximum likelihood. Intervals are ranges over the lines that the data allow, by the
+/// likelihood scaled by the variance between records (theory.md, 6.3); with one history of each
+/// record they are those of independent data. Separated data (the records do not show how much they
+/// differ), identical records and one record: no interval (NaN). No exceedance in any record: a
+/// bound with one trial per record and level. The share of `free` histories is the curve's floor,
+/// with the interval of a share (share.hpp), or none where it is the same in all records (slope and
+/// friction decide it, which records share); p50 and `band` are then wider than 95 %. `band` (if
+/// not null) receives, per given intensity, the pointwise interval of the probability (NaN where
+/// there is none): both ends rise with intensity, and cross 1/2 where p50_interval ends. Throws
+/// InputError for counts or capacities out of range.
 FitSummary fit_stripes_by_record(const std::vector<double>& intensities,
                                  const std::vector<RecordStripes>& records,
-                                 const BootstrapOptions& options,
                                  const std::vector<double>& band_intensities = {},
                                  std::vector<Interval>* band = nullptr);
 
 /// The same for capacities; the point estimate is that of fit_capacities() on all of them.
 FitSummary fit_capacities_by_record(const std::vector<RecordCapacities>& records,
-                                    double censored_at, const BootstrapOptions& options,
+                                    double censored_at,
                                     const std::vector<double>& band_intensities = {},
                                     std::vector<Interval>* band = nullptr);
 

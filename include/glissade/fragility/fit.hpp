@@ -51,6 +51,7 @@ enum class FitStatus {
   one_level,           ///< all data are at one intensity: no curve
   one_capacity,        ///< all histories have one capacity: it is the median; log_std is NaN
   no_information,      ///< no row limits the capacity: no curve
+  extrapolated,        ///< a maximum of the likelihood whose median is beyond the data
 };
 std::string to_string(FitStatus status);
 
@@ -67,8 +68,13 @@ struct FitSummary {
   std::string interval_method;  ///< "profile likelihood", ...
   std::string note;             ///< what a reader must know; may be empty
   double effective_records = std::numeric_limits<double>::quiet_NaN();  ///< of a weighted fit
+  /// Of the median, for an assumed log_std.
+  bool is_bound() const {
+    return status == FitStatus::lower_bound || status == FitStatus::upper_bound;
+  }
   bool converged() const {
-    return status == FitStatus::maximum_likelihood || status == FitStatus::jeffreys_penalised;
+    return status == FitStatus::maximum_likelihood || status == FitStatus::extrapolated ||
+           status == FitStatus::jeffreys_penalised;
   }
 };
 
@@ -83,7 +89,7 @@ double stripe_log_likelihood(const std::vector<Stripe>& stripes, const Fragility
 /// Separated data: Jeffreys penalised fit. No exceedance, or all exceeded: one-sided bound, trials
 /// taken as independent. Share that does not rise with intensity, or by so little that no finite
 /// median has a share of one half: no_trend. A single level: one_level. Failed: no trials.
-/// Accuracy of the maximum about 1e-12.
+/// Accuracy of the maximum about 1e-12. What the data leave open is 0 or infinite.
 FitSummary fit_stripes(const std::vector<Stripe>& stripes);
 
 /// The Jeffreys (Firth 1993) penalised fit, separated or not: the log likelihood plus half the log
@@ -96,10 +102,10 @@ double capacity_log_likelihood(const CapacitySample& sample, const FragilityCurv
 
 /// Lognormal maximum likelihood on capacities, right-censored at `censored_at`. Without censoring
 /// log_std has n - 1 below the line (statistics as in FEMA P-58 and Baker 2015). 95 % intervals:
-/// Student t for ln median and chi-square for log_std without censoring, else profile likelihood.
-/// None reached: one-sided bound. Fewer than two different capacities without censoring: failed.
-/// `free` histories are the curve's floor, their share of all, with its Clopper-Pearson interval;
-/// there is then no p50_interval.
+/// Student t for ln median and chi-square for log_std without censoring, else profile likelihood
+/// with Student's t (theory.md, 6.3). None reached: one-sided bound. Fewer than two different
+/// capacities without censoring: one_capacity. `free` histories are the curve's floor, their share
+/// of all, with its Clopper-Pearson interval.
 FitSummary fit_capacities(const CapacitySample& sample);
 
 }  // namespace glissade

@@ -12,7 +12,7 @@ namespace glissade {
 /// maximum of the likelihood, or fewer than three records.
 struct GoodnessOfFit {
   double distance = std::numeric_limits<double>::quiet_NaN();     ///< Cramér-von Mises, see below
-  double p_value = std::numeric_limits<double>::quiet_NaN();      ///< (0, 1]
+  double p_value = std::numeric_limits<double>::quiet_NaN();      ///< least_p_value to 1
   double correlation = std::numeric_limits<double>::quiet_NaN();  ///< of one record's normal scores
   double largest_gap = std::numeric_limits<double>::quiet_NaN();  ///< observed share - curve ...
   double gap_intensity = std::numeric_limits<double>::quiet_NaN();  ///< ... where it is largest
@@ -21,6 +21,8 @@ struct GoodnessOfFit {
 /// A fragility is reported not to be lognormal where p is below the first, and the largest gap of a
 /// probability at least the second: many samples show departures that matter to nobody.
 inline constexpr double goodness_of_fit_level = 0.05, goodness_of_fit_gap = 0.05;
+/// The data and 199 replicates: a p that is this is an upper bound.
+inline constexpr double least_p_value = 1.0 / 200;
 bool departs_from_lognormal(const GoodnessOfFit& fit);
 
 /// Cramér-von Mises distance between the shares of capacities and the fitted curve, the integral of
@@ -30,8 +32,11 @@ bool departs_from_lognormal(const GoodnessOfFit& fit);
 /// replicate (Stute, González Manteiga & Presedo Quindimil 1993, Metrika 40:243-256). Records are
 /// the independent unit: in a replicate the capacities of a record have the correlation of normal
 /// scores that those of the data have. Histories of capacity 0 (`free`) are left out.
-/// `options.replicates` beyond 199 are not used.
+/// `options.replicates` beyond 199 are not used. @param stratified the histories of a record are
+/// stratified samples (Sobol points), which scatter less: in a replicate a record of more than 64
+/// has 64, one in each of equal parts of probability
 GoodnessOfFit lognormal_goodness_of_fit(const std::vector<RecordCapacities>& records,
-                                        double censored_at, const BootstrapOptions& options);
+                                        double censored_at, const BootstrapOptions& options,
+                                        bool stratified = false);
 
 }  // namespace glissade

@@ -9,10 +9,10 @@
 #include "glissade/fragility/two_part.hpp"
 
 // Fits of rows that have a weight each (importance sampling) and belong to records, the clusters.
-// The weighted likelihood sum w l is maximised; intervals are those of the cluster sandwich
-// n/(n - 1) A^-1 (sum s s^T) A^-1 over records: of the median with Student's t of n_eff - 1 degrees
-// of freedom, of log_std by lines that the data allow (theory.md, 6.3). Bounds count each record as
-// one trial. Rows of weight 0 play no part. All throw InputError for weights that are
+// The weighted likelihood sum w l is maximised, with weights that sum to the effective number of
+// rows, (sum w)^2 / sum w^2 (Kish 1965, Survey Sampling): the unit of the weights has no effect, and
+// equal weights give the fit without weights. Intervals as without weights, of as many records as
+// their weights are worth. Rows of weight 0 play no part. All throw InputError for weights that are
 // negative or all 0, and for counts or capacities out of range.
 namespace glissade {
 
@@ -23,7 +23,8 @@ struct WeightedStripe {
 };
 
 /// A capacity above `low` and not above `high`; exact where they are equal. low = 0: reached by the
-/// first level; high infinite: not reached by `low`, the highest level of this record.
+/// first level; high infinite: not reached by `low`, the highest level of this record. Both 0: the
+/// history slides freely.
 struct CapacityBracket {
   double low = 0.0, high = std::numeric_limits<double>::infinity();
   double weight = 1.0;
@@ -36,15 +37,16 @@ struct CloudPoint {
   std::size_t record = 0;
 };
 
-/// `summary.effective_records` is (sum W)^2 / sum W^2 over the records' weights W (Kish 1965).
+/// `summary.effective_records` is (sum W)^2 / sum W^2 over the records' weights W, where weights
+/// differ.
 FitSummary fit_weighted_stripes(const std::vector<WeightedStripe>& rows);
 
-/// Lognormal maximum likelihood with ln[Phi(z_high) - Phi(z_low)] of each bracket. `independent`:
-/// each row is a record of its own and without a weight, and intervals are those of the profile
-/// likelihood. All above: lower_bound. All not above: upper_bound. All exact and equal:
-/// one_capacity, the median. Else one_level, where one intensity is in every bracket, so that
-/// log_std would be 0. Rows from 0 to infinity say nothing: they are left out, and the note counts
-/// them; no_information if no others are left.
+/// Lognormal maximum likelihood with ln[Phi(z_high) - Phi(z_low)] of each bracket; where all are
+/// exact, log_std has n - 1 below the line. `independent`: each row is a record of its own. All
+/// above: lower_bound. All not above: upper_bound. All exact and equal: one_capacity, the median.
+/// Else one_level, where one intensity is in every bracket, so that log_std would be 0. Rows from 0
+/// to infinity say nothing: they are left out, and the note counts them; no_information if no others
+/// are left.
 FitSummary fit_brackets(const std::vector<CapacityBracket>& rows, bool independent);
 
 /// A displacement's fragility by a cloud: the intensity at which half exceed it.

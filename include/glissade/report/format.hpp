@@ -6,6 +6,7 @@
 
 #include "glissade/core/units.hpp"
 #include "glissade/fragility/fit.hpp"
+#include "glissade/report/table.hpp"
 #include "glissade/standards/prescriptive.hpp"
 #include "glissade/study/config.hpp"
 #include "glissade/study/plan/skip.hpp"
@@ -51,6 +52,10 @@ double in_first_unit(double length_m);
 std::string format_share(double share);
 /// "0.76 to 0.93"; "no interval" where an end is NaN.
 std::string format_interval(const Interval& interval);
+/// "p = 0.12"; "p <= 0.005" of the least that a goodness of fit can have.
+std::string format_p(double p_value);
+/// The same as a cell of a table: "0.12", "<= 0.005".
+SignedEstimate p_cell(double p_value);
 
 /// "SEAOC PV1-2012", "ASCE 7-16".
 std::string standard_name(Standard standard);

@@ -32,12 +32,13 @@ FitOutput fit_counts(const CountsInput& input) {
   if (input.has.weight && !input.has.record)
     throw InputError({"weight", "needs the column record: whose trials are not independent",
                       "name the record of each row", ""});
-  if (input.has.weight) return {fit_weighted_stripes(input.rows)};
   if (!input.has.record) {
     std::vector<Stripe> stripes;
     for (const WeightedStripe& row : input.rows) stripes.push_back(row.stripe);
     return {fit_stripes(stripes)};
   }
+  const FitSummary fit = fit_weighted_stripes(input.rows);
+  if (input.has.weight) return {fit};
   std::set<double> levels;
   for (const WeightedStripe& row : input.rows) levels.insert(row.stripe.intensity);
   ShapeData data{.intensities = {levels.begin(), levels.end()}, .thresholds_m = {1.0}};
@@ -52,9 +53,7 @@ FitOutput fit_counts(const CountsInput& input) {
     data.stripes[0][row.record].trials[level] = row.stripe.trials;
     data.stripes[0][row.record].exceedances[level] = row.stripe.exceedances;
   }
-  return {fit_stripes_by_record(data.intensities, data.stripes[0], {}),
-          {},
-          compare_shapes(data).front()};
+  return {fit, {}, compare_shapes(data).front()};
 }
 
 /// Capacities at or above the limit were not reached by it: they count as censored there. A
@@ -79,19 +78,14 @@ FitOutput fit_capacities_of(CapacitiesInput input, const std::optional<double>& 
   if (input.brackets && censor_at)
     throw InputError({"--censor-at", "is for im_cap: brackets have their own limits",
                       "give im_high = inf where im_low was not exceeded", ""});
-  if (input.brackets || input.has.weight) {
-    for (CapacityBracket& row : input.rows) {
-      if (!input.brackets && row.low >= limit) row = {limit, infinity, row.weight, row.record};
-      if (!input.has.record) row.record = static_cast<std::size_t>(&row - input.rows.data());
-    }
-    return {fit_brackets(input.rows, !input.has.record && !input.has.weight)};
+  FitOutput output;
+  if (!input.brackets && input.has.record && !input.has.weight)
+    output.lognormal = lognormal_goodness_of_fit(by_record(input.rows, limit), limit, {});
+  for (CapacityBracket& row : input.rows) {
+    if (!input.brackets && row.low >= limit) row = {limit, infinity, row.weight, row.record};
   }
-  const std::vector<RecordCapacities> records = by_record(input.rows, limit);
-  if (input.has.record)
-    return {fit_capacities_by_record(records, limit, {}),
-            lognormal_goodness_of_fit(records, limit, {})};
-  const RecordCapacities& all = records.front();
-  return {fit_capacities({all.capacities, all.censored, limit, all.free})};
+  output.fit = fit_brackets(input.rows, !input.has.record);
+  return output;
 }
 
 void check_options(const FitOptions& o) {

@@ -8,6 +8,7 @@
 
 #include "finding.hpp"
 #include "glissade/core/finite.hpp"
+#include "glissade/report/format.hpp"
 
 namespace glissade::cli {
 namespace {
@@ -41,9 +42,10 @@ std::vector<Finding> findings_of(const FitSummary& f) {
   const bool has_floor = f.curve.floor > 0.0;
   const bool is_known = has_floor || !std::isnan(f.curve.median);
   return {{"median", "median", f.curve.median, f.median_interval},
-          {"log_std", "log_std", f.curve.log_std, f.log_std_interval},
+          {"log_std", f.is_bound() ? "log_std (assumed)" : "log_std", f.curve.log_std,
+           f.log_std_interval},
           {"floor", has_floor ? "floor" : "", is_known ? f.curve.floor : nan, f.floor_interval},
-          {"p50", has_floor ? "50 % of all at" : "", f.curve.intensity_at(0.5)},
+          {"p50", has_floor ? "50 % of all at" : "", f.curve.intensity_at(0.5), f.p50_interval},
           {"log_likelihood", "log likelihood", f.log_likelihood}};
 }
 
@@ -103,7 +105,7 @@ void print(const FitOutput& output, bool json) {
   show("intervals", f.interval_method);
   const GoodnessOfFit& fit = output.lognormal;
   if (!std::isnan(fit.p_value))
-    fmt::print("goodness of fit    p = {:.3g}, largest gap {:.3g} at {:.4g}{}\n", fit.p_value,
+    fmt::print("goodness of fit    {}, largest gap {:.3g} at {:.4g}{}\n", format_p(fit.p_value),
                fit.largest_gap, fit.gap_intensity,
                departs_from_lognormal(fit) ? ": not lognormal" : "");
   if (output.models) show_models(*output.models);

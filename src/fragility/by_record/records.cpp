@@ -1,14 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "by_record/records.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <functional>
+#include <numbers>
+#include <numeric>
 
+#include "by_record/clusters.hpp"
+#include "glissade/core/distributions.hpp"
 #include "glissade/core/error.hpp"
+#include "glissade/core/finite.hpp"
+#include "glissade/fragility/share.hpp"
 
 namespace glissade::fragility {
 namespace {
-
-std::string record_name(std::size_t i) { return "record " + std::to_string(i + 1); }
 
 std::vector<Stripe> stripes_of(const std::vector<double>& intensities,
                                const RecordStripes& record) {
@@ -19,26 +25,15 @@ std::vector<Stripe> stripes_of(const std::vector<double>& intensities,
   return stripes;
 }
 
-void check_records(const std::vector<double>& intensities,
-                   const std::vector<RecordStripes>& records) {
+/// Throws the problems of all records together. @param check_one of a record, by its number and
+/// name
+void check_each(std::size_t records,
+                const std::function<void(std::size_t, const std::string&)>& check_one) {
   ProblemList problems;
-  if (records.empty()) problems.add({"records", "there are none", "give at least one record", ""});
-  for (std::size_t i = 0; i < records.size(); ++i) {
-    if (records[i].trials.size() != intensities.size() ||
-        records[i].exceedances.size() != intensities.size()) {
-      problems.add({record_name(i),
-                    std::to_string(records[i].trials.size()) + " trials and " +
-                        std::to_string(records[i].exceedances.size()) + " exceedances for " +
-                        std::to_string(intensities.size()) + " intensities",
-                    "give both per intensity", ""});
-      continue;
-    }
-    if (!(records[i].free >= 0 && std::isfinite(records[i].free))) {
-      problems.add({record_name(i), "free = " + std::to_string(records[i].free) + " is not a count",
-                    "", ""});
-    }
+  if (records == 0) problems.add({"records", "there are none", "give at least one record", ""});
+  for (std::size_t i = 0; i < records; ++i) {
     try {
-      check(stripes_of(intensities, records[i]), record_name(i));
+      check_one(i, "record " + std::to_string(i + 1));
     } catch (const InputError& error) {
       problems.add(error);
     }
@@ -46,161 +41,470 @@ void check_records(const std::vector<double>& intensities,
   problems.throw_if_any();
 }
 
-void check_records(const std::vector<RecordCapacities>& records, double censored_at) {
+void check_stripes(const std::vector<double>& intensities, const RecordStripes& record,
+                   const std::string& name) {
+  if (record.trials.size() != intensities.size() || record.exceedances.size() != intensities.size())
+    throw InputError({name,
+                      std::to_string(record.trials.size()) + " trials and " +
+                          std::to_string(record.exceedances.size()) + " exceedances for " +
+                          std::to_string(intensities.size()) + " intensities",
+                      "give both per intensity", ""});
+  check(CapacitySample{.free = record.free}, name);
+  check(stripes_of(intensities, record), name);
+}
+
+void check_rows(const std::vector<CapacityBracket>& rows) {
   ProblemList problems;
-  if (records.empty()) problems.add({"records", "there are none", "give at least one record", ""});
-  for (std::size_t i = 0; i < records.size(); ++i) {
-    try {
-      check(
-          CapacitySample{records[i].capacities, records[i].censored, censored_at, records[i].free},
-          record_name(i));
-    } catch (const InputError& error) {
-      problems.add(error);
-    }
+  std::vector<double> weights;
+  for (const CapacityBracket& row : rows) {
+    weights.push_back(row.weight);
+    if (row.low >= 0 && row.low <= row.high && std::isfinite(row.low)) continue;
+    problems.add({"brackets",
+                  std::to_string(row.low) + " to " + std::to_string(row.high) +
+                      " is no range of intensities",
+                  "give 0 <= low <= high", ""});
   }
   problems.throw_if_any();
+  check_weights(weights);
+}
+
+/// (sum k)^2 / sum k^2; 0 where all are 0.
+double contributions(const std::vector<double>& of) {
+  const Eigen::Map<const Eigen::VectorXd> k(of.data(), static_cast<Eigen::Index>(of.size()));
+  return k.sum() > 0 ? k.sum() * k.sum() / k.squaredNorm() : 0;
 }
 
 }  // namespace
 
-void Records::add_record(double free, double rest) {
-  free_.push_back(free);
-  histories_.push_back(free + rest);
-}
-
-double Records::floor(const Eigen::VectorXd& weights) const {
-  const auto sum = [&](const std::vector<double>& values) {
-    return weights.dot(Eigen::Map<const Eigen::VectorXd>(values.data(), weights.size()));
-  };
-  const double free = sum(free_);
-  return free > 0 ? free / sum(histories_) : 0.0;
-}
-
-bool Records::floor_varies() const {
-  for (std::size_t i = 1; i < free_.size(); ++i) {
-    if (free_[i] * histories_[0] != free_[0] * histories_[i]) return true;
+Worth worth_of(const std::vector<RecordWeight>& records) {
+  double sum = 0, squares = 0, record_squares = 0, fourths = 0;
+  for (const RecordWeight& record : records) {
+    sum += record.sum;
+    squares += record.squares;
+    record_squares += record.sum * record.sum;
+    fourths += std::pow(record.sum, 4);
   }
-  return false;
+  if (sum == 0) return {};
+  return {sum * (sum / squares), sum * (sum / record_squares), sum / squares,
+          record_squares * (record_squares / fourths) - 1};
+}
+
+double Records::contributing(bool exceed) const { return contributions(exceed ? exceed_ : held_); }
+
+Eigen::ArrayXd Records::parts_of_weight() const {
+  const Eigen::Map<const Eigen::ArrayXd> weights(histories_.data(), count());
+  return weights / weights.sum();
+}
+
+double Records::floor() const {
+  const double free = std::accumulate(free_.begin(), free_.end(), 0.0);
+  return free > 0 ? free / std::accumulate(histories_.begin(), histories_.end(), free) : 0;
+}
+
+Interval Records::floor_interval() const {
+  const double free = std::accumulate(free_.begin(), free_.end(), 0.0);
+  const double all = std::accumulate(histories_.begin(), histories_.end(), free);
+  if (free > 0 && one_row_each())
+    return {binomial_lower_end(all, free, 0.025), binomial_upper_end(all, free, 0.025)};
+  std::vector<double> shares;
+  for (std::size_t i = 0; i < free_.size(); ++i)
+    shares.push_back(free_[i] > 0 ? free_[i] / (free_[i] + histories_[i]) : 0.0);
+  const bool varies = std::ranges::any_of(
+      shares, [&](double share) { return std::abs(share - shares.front()) > 1e-12; });
+  return varies ? share_interval(shares) : Interval{};
+}
+
+StripeRecords::StripeRecords(const std::vector<Stripe>& stripes) {
+  check(stripes, "stripes");
+  std::vector<double> intensities;
+  trials_.resize(1, static_cast<Eigen::Index>(stripes.size()));
+  exceedances_ = trials_;
+  for (const Stripe& stripe : stripes) {
+    const auto j = static_cast<Eigen::Index>(intensities.size());
+    intensities.push_back(stripe.intensity);
+    trials_(0, j) = stripe.trials;
+    exceedances_(0, j) = stripe.exceedances;
+  }
+  free_ = {0.0};
+  finish(intensities, {});
+}
+
+StripeRecords::StripeRecords(const std::vector<WeightedStripe>& rows) {
+  std::vector<Stripe> stripes;
+  std::vector<double> weights;
+  std::map<double, Eigen::Index> levels;
+  std::map<std::size_t, Eigen::Index> records;
+  for (const WeightedStripe& row : rows) {
+    stripes.push_back(row.stripe);
+    weights.push_back(row.weight * row.stripe.trials);
+    if (weights.back() == 0) continue;
+    levels.emplace(row.stripe.intensity, 0);
+    records.emplace(row.record, static_cast<Eigen::Index>(records.size()));
+  }
+  check(stripes, "stripes");
+  check_weights(weights);
+  std::vector<double> intensities;
+  for (auto& [intensity, j] : levels) {
+    j = static_cast<Eigen::Index>(intensities.size());
+    intensities.push_back(intensity);
+  }
+  trials_ = exceedances_ = Eigen::MatrixXd::Zero(std::ssize(records), std::ssize(levels));
+  std::vector<RecordWeight> of(records.size());
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    if (weights[i] == 0) continue;
+    const WeightedStripe& row = rows[i];
+    const Eigen::Index r = records.at(row.record), j = levels.at(row.stripe.intensity);
+    trials_(r, j) += weights[i];
+    exceedances_(r, j) += row.weight * row.stripe.exceedances;
+    RecordWeight& record = of[static_cast<std::size_t>(r)];
+    record.sum = std::max(record.sum, trials_(r, j));
+    record.squares = std::max(record.squares, row.weight * trials_(r, j));
+    equal_weights_ = equal_weights_ && row.weight == rows.front().weight;
+  }
+  free_.assign(records.size(), 0.0);
+  finish(intensities, of);
 }
 
 StripeRecords::StripeRecords(const std::vector<double>& intensities,
                              const std::vector<RecordStripes>& records) {
-  check_records(intensities, records);
-  const auto rows = static_cast<Eigen::Index>(records.size()),
-             columns = static_cast<Eigen::Index>(intensities.size());
-  exceedances_.resize(rows, columns);
-  trials_.resize(rows, columns);
-  for (Eigen::Index i = 0; i < rows; ++i) {
-    const RecordStripes& record = records[static_cast<std::size_t>(i)];
+  check_each(records.size(), [&](std::size_t i, const std::string& name) {
+    check_stripes(intensities, records[i], name);
+  });
+  trials_.resize(std::ssize(records), std::ssize(intensities));
+  exceedances_ = trials_;
+  std::vector<RecordWeight> weights;
+  for (const RecordStripes& record : records) {
+    const Eigen::Index i = std::ssize(weights), columns = trials_.cols();
     exceedances_.row(i) = Eigen::Map<const Eigen::RowVectorXd>(record.exceedances.data(), columns);
     trials_.row(i) = Eigen::Map<const Eigen::RowVectorXd>(record.trials.data(), columns);
-    add_record(record.free, columns > 0 ? trials_.row(i).maxCoeff() : 0.0);
+    const double histories = columns > 0 ? trials_.row(i).maxCoeff() : 0.0;
+    weights.push_back({histories, histories});
+    free_.push_back(record.free);
   }
-  levels_ = to_data(stripes_of(intensities, {std::vector<double>(intensities.size()),
-                                             std::vector<double>(intensities.size())}));
-  levels_ = pooled(Eigen::VectorXd::Ones(rows));
+  finish(intensities, weights);
 }
 
-StripeData StripeRecords::pooled(const Eigen::VectorXd& weights) const {
-  return {levels_.y, trials_.transpose() * weights, exceedances_.transpose() * weights,
-          levels_.center};
+/// @param weights none: all trials are independent
+void StripeRecords::finish(const std::vector<double>& intensities,
+                           const std::vector<RecordWeight>& weights) {
+  worth_ = worth_of(weights);
+  if (weights.empty()) worth_ = {trials_.sum(), trials_.sum(), 1.0, trials_.sum() - 1};
+  trials_ *= worth_.scale;
+  exceedances_ *= worth_.scale;
+  row_weight_ = Eigen::VectorXd::Ones(trials_.rows());
+  for (std::size_t i = 0; i < weights.size(); ++i) {
+    const double sum = worth_.scale * weights[i].sum;
+    histories_.push_back(sum);
+    if (sum > 0)
+      row_weight_[std::ssize(histories_) - 1] =
+          worth_.scale * worth_.scale * weights[i].squares / sum;
+  }
+  if (weights.empty()) histories_ = {trials_.sum()};
+  independent_ = weights.empty() ||
+                 (one_row_each() && equal_weights_ && trials_.sum() < (1 + 1e-9) * worth_.rows);
+  std::vector<Stripe> stripes;
+  double trials = 0, each = 0;
+  for (Eigen::Index j = 0; j < trials_.cols(); ++j) {
+    stripes.push_back({intensities[static_cast<std::size_t>(j)], trials_.col(j).sum(),
+                       exceedances_.col(j).sum()});
+    if (!(stripes.back().trials > 0)) continue;
+    trials += stripes.back().trials;
+    each += trials_.col(j).sum() * (trials_.col(j).sum() / trials_.col(j).squaredNorm());
+  }
+  pooled_ = one_each_ = to_data(stripes);
+  center_ = pooled_.center;
+  lowest_ = infinity, highest_ = -infinity;
+  for (Eigen::Index j = 0; j < trials_.cols(); ++j) {
+    if (!(pooled_.trials[j] > 0)) continue;
+    lowest_ = std::min(lowest_, pooled_.y[j]);
+    highest_ = std::max(highest_, pooled_.y[j]);
+  }
+  if (!independent_ && trials > 0) {
+    one_each_.trials *= each / trials;
+    one_each_.exceedances *= each / trials;
+  }
+  if (trials_.cols() == 0) return;
+  const Eigen::VectorXd exceed = exceedances_.rowwise().maxCoeff(),
+                        held = (trials_ - exceedances_).rowwise().maxCoeff();
+  exceed_.assign(exceed.begin(), exceed.end());
+  held_.assign(held.begin(), held.end());
 }
 
-PointFit StripeRecords::fit(const Eigen::VectorXd& weights, const ProbitLine& start) const {
-  return fit_point(pooled(weights), start);
+PointFit StripeRecords::fit() const {
+  return shape_of(pooled_) == StripeShape::overlapping ? fit_point(pooled_, first_guess())
+                                                       : fit_jeffreys();
+}
+
+PointFit StripeRecords::fit_jeffreys() const {
+  PointFit point = fit_point_jeffreys(one_each_, first_guess());
+  if (shape_of(pooled_) == StripeShape::separated)
+    point.note =
+        "the stripes are separated by intensity: the likelihood alone has no finite maximum";
+  return point;
 }
 
 Records::Scores StripeRecords::scores(const ProbitLine& line) const {
   // d/dz of ln Phi(z) and ln Phi(-z), once per level: a score is the sum of k hazard_above - (n -
   // k) hazard_below.
-  Eigen::VectorXd above(levels_.y.size()), below(levels_.y.size());
-  for (Eigen::Index j = 0; j < levels_.y.size(); ++j) {
-    const double z = line[0] + line[1] * levels_.y[j];
+  Eigen::VectorXd above(pooled_.y.size()), below(pooled_.y.size());
+  for (Eigen::Index j = 0; j < pooled_.y.size(); ++j) {
+    const double z = line[0] + line[1] * pooled_.y[j];
     above[j] = hazard(z);
     below[j] = hazard(-z);
   }
-  Eigen::MatrixX2d design(levels_.y.size(), 2);
-  design << Eigen::VectorXd::Ones(levels_.y.size()), levels_.y.matrix();
+  Eigen::MatrixX2d design(pooled_.y.size(), 2);
+  design << Eigen::VectorXd::Ones(pooled_.y.size()), pooled_.y.matrix();
   return exceedances_ * above.asDiagonal() * design -
          (trials_ - exceedances_) * below.asDiagonal() * design;
 }
 
-Eigen::Matrix2d StripeRecords::information(const Eigen::VectorXd& weights,
-                                           const ProbitLine& line) const {
-  return stripe_likelihood(pooled(weights), line).information;
+/// A history has one capacity: whether it exceeds at two levels has the covariance Phi(z_low)
+/// Phi(-z_high).
+Eigen::Matrix2d StripeRecords::score_variance(const ProbitLine& line) const {
+  const Eigen::Index levels = pooled_.y.size();
+  Eigen::Matrix2d sum = Eigen::Matrix2d::Zero();
+  for (Eigen::Index i = 0; i < levels; ++i) {
+    for (Eigen::Index j = 0; j < levels; ++j) {
+      const Eigen::Vector2d x{1, std::min(pooled_.y[i], pooled_.y[j])},
+          x_high{1, std::max(pooled_.y[i], pooled_.y[j])};
+      const double covariance = hazard(-line.dot(x)) * hazard(line.dot(x_high));
+      const double histories = row_weight_.dot(trials_.col(i).cwiseMin(trials_.col(j)).matrix());
+      sum += 0.5 * histories * covariance * (x * x_high.transpose() + x_high * x.transpose());
+    }
+  }
+  return sum;
 }
 
 double StripeRecords::log_likelihood(const FragilityCurve& curve) const {
   std::vector<Stripe> stripes;
-  for (Eigen::Index j = 0; j < levels_.y.size(); ++j) {
+  for (Eigen::Index j = 0; j < pooled_.y.size(); ++j) {
     stripes.push_back(
-        {std::exp(levels_.y[j] + levels_.center), levels_.trials[j], levels_.exceedances[j]});
+        {std::exp(pooled_.y[j] + pooled_.center), pooled_.trials[j], pooled_.exceedances[j]});
   }
   return stripe_log_likelihood(stripes, curve);
 }
 
 FitSummary StripeRecords::bound() const {
-  StripeData one_trial_each = levels_;
-  one_trial_each.trials = (trials_.array() > 0).cast<double>().colwise().sum().transpose();
+  StripeData one_trial_each = pooled_;
+  if (independent_) return summarise_bound(one_trial_each);
+  const double worth = worth_.records / static_cast<double>(count());
+  one_trial_each.trials = worth * (trials_.array() > 0).cast<double>().colwise().sum().transpose();
   one_trial_each.exceedances =
-      (exceedances_.array() > 0).cast<double>().colwise().sum().transpose();
+      worth * (exceedances_.array() > 0).cast<double>().colwise().sum().transpose();
   return summarise_bound(one_trial_each);
 }
 
-CapacityRecords::CapacityRecords(const std::vector<RecordCapacities>& records, double censored_at) {
-  check_records(records, censored_at);
-  sample_.censored_at = censored_at;
-  for (const RecordCapacities& record : records) {
-    sample_.capacities.insert(sample_.capacities.end(), record.capacities.begin(),
-                              record.capacities.end());
-    sample_.censored += record.censored;
+BracketRecords::BracketRecords(const std::vector<CapacityBracket>& all, bool independent) {
+  check_rows(all);
+  std::vector<Row> rows;
+  std::map<std::size_t, std::size_t> records;
+  for (const CapacityBracket& row : all) {
+    if (row.weight == 0) continue;
+    if (row.low == 0 && std::isinf(row.high)) {
+      ++without_limit_;
+      continue;
+    }
+    const std::size_t record = independent ? rows.size() : row.record;
+    const auto [at, is_new] = records.emplace(record, records.size());
+    rows.push_back({row.low, row.high, row.weight, row.weight * row.weight, at->second});
+    equal_weights_ = equal_weights_ && row.weight == rows.front().weight;
   }
-  const double center = mean_log(sample_.capacities);
-  pooled_ = to_data(sample_, center);
-  for (const RecordCapacities& record : records) {
-    records_.push_back(to_data({record.capacities, record.censored, censored_at}, center));
-    add_record(record.free, static_cast<double>(record.capacities.size()) + record.censored);
+  finish(std::move(rows), records.size());
+}
+
+BracketRecords::BracketRecords(const std::vector<RecordCapacities>& records, double censored_at) {
+  check_each(records.size(), [&](std::size_t i, const std::string& name) {
+    const RecordCapacities& record = records[i];
+    check(CapacitySample{record.capacities, record.censored, censored_at, record.free}, name);
+  });
+  std::vector<Row> rows;
+  for (std::size_t i = 0; i < records.size(); ++i) {
+    for (const double capacity : records[i].capacities)
+      rows.push_back({capacity, capacity, 1.0, 1.0, i});
+    if (records[i].censored > 0)
+      rows.push_back({censored_at, infinity, records[i].censored, records[i].censored, i});
+    if (records[i].free > 0) rows.push_back({0.0, 0.0, records[i].free, records[i].free, i});
+  }
+  finish(std::move(rows), records.size());
+}
+
+BracketRecords::BracketRecords(const CapacitySample& sample) {
+  check(sample, "capacities");
+  std::vector<Row> rows;
+  for (const double capacity : sample.capacities) rows.push_back({capacity, capacity, 1.0, 1.0, 0});
+  if (sample.censored > 0)
+    rows.push_back({sample.censored_at, infinity, sample.censored, sample.censored, 0});
+  if (sample.free > 0) rows.push_back({0.0, 0.0, sample.free, sample.free, 0});
+  finish(std::move(rows), 1);
+  worth_.records = worth_.rows;
+  worth_.freedom = worth_.rows - 1;
+}
+
+LogBracket BracketRecords::in_logs(const Row& row) const {
+  return {std::log(row.low) - center_, std::log(row.high) - center_};
+}
+
+void BracketRecords::finish(std::vector<Row> rows, std::size_t records) {
+  std::vector<RecordWeight> weights(records);
+  for (const Row& row : rows) {
+    if (row.high == 0) continue;
+    weights[row.record].sum += row.weight;
+    weights[row.record].squares += row.squares;
+  }
+  worth_ = worth_of(weights);
+  for (auto* of : {&free_, &histories_, &exceed_, &held_}) of->assign(records, 0.0);
+  double exact = 0, ends = 0, sum_exact = 0, sum_ends = 0;
+  lowest_high_ = lowest_ = infinity;
+  highest_ = -infinity;
+  for (Row& row : rows) {
+    row.weight *= worth_.scale;
+    row.squares *= worth_.scale * worth_.scale;
+    if (row.high == 0) {
+      free_[row.record] += row.weight;
+      continue;
+    }
+    histories_[row.record] += row.weight;
+    if (std::isfinite(row.high)) exceed_[row.record] += row.weight;
+    if (row.low > 0) held_[row.record] += row.weight;
+    highest_low_ = std::max(highest_low_, row.low);
+    lowest_high_ = std::min(lowest_high_, row.high);
+    for (const double end : {row.low, row.high}) {
+      if (!(end > 0 && std::isfinite(end))) continue;
+      ends += 1;
+      sum_ends += std::log(end);
+      lowest_ = std::min(lowest_, std::log(end));
+      highest_ = std::max(highest_, std::log(end));
+    }
+    if (row.low == row.high) {
+      exact += row.weight;
+      sum_exact += row.weight * std::log(row.low);
+    }
+    rows_.push_back(row);
+  }
+  center_ = exact > 0 ? sum_exact / exact : ends > 0 ? sum_ends / ends : 0;
+  lowest_ -= center_;
+  highest_ -= center_;
+  records_.resize(records);
+  for (const Row& row : rows_) {
+    const LogBracket bracket = in_logs(row);
+    for (Part* part : {&records_[row.record], &pooled_}) {
+      if (row.low == row.high) {
+        part->exact.count += row.weight;
+        part->exact.sum += row.weight * bracket.low;
+        part->exact.sum_squares += row.weight * bracket.low * bracket.low;
+      } else {
+        part->open[{bracket.low, bracket.high}] += row.weight;
+      }
+    }
   }
 }
 
-CapacityData CapacityRecords::pooled(const Eigen::VectorXd& weights) const {
-  CapacityData sum{.censored_at = pooled_.censored_at, .center = pooled_.center};
-  for (Eigen::Index i = 0; i < weights.size(); ++i) {
-    const CapacityData& record = records_[static_cast<std::size_t>(i)];
-    sum.count += weights[i] * record.count;
-    sum.sum += weights[i] * record.sum;
-    sum.sum_squares += weights[i] * record.sum_squares;
-    sum.censored += weights[i] * record.censored;
+Evaluation BracketRecords::evaluate(const Part& part, const ProbitLine& line) const {
+  Evaluation sum;
+  if (part.exact.count > 0) sum = capacity_likelihood(part.exact, line);
+  for (const auto& [ends, weight] : part.open) {
+    const Evaluation one = bracket_likelihood({ends.first, ends.second}, line);
+    sum.value += weight * one.value;
+    sum.gradient += weight * one.gradient;
+    sum.information += weight * one.information;
   }
   return sum;
 }
 
-PointFit CapacityRecords::fit(const Eigen::VectorXd& weights, const ProbitLine& start) const {
-  return fit_point(pooled(weights), start);
+ProbitLine BracketRecords::first_guess() const {
+  CapacityData about = pooled_.exact;
+  for (const auto& [ends, weight] : pooled_.open) {
+    const double y = std::isinf(ends.first)    ? ends.second
+                     : std::isinf(ends.second) ? ends.first
+                                               : 0.5 * (ends.first + ends.second);
+    about.count += weight;
+    about.sum += weight * y;
+    about.sum_squares += weight * y * y;
+  }
+  return fragility::first_guess(about);
 }
 
-Records::Scores CapacityRecords::scores(const ProbitLine& line) const {
+PointFit BracketRecords::fit() const {
+  const ProbitLine none = ProbitLine::Zero();
+  if (rows_.empty())
+    return without_limit_ > 0
+               ? PointFit{FitStatus::no_information, none, "no row limits the capacity"}
+               : PointFit{FitStatus::failed, none, "there are no capacities"};
+  if (std::isinf(lowest_high_)) return {FitStatus::lower_bound, none, ""};
+  if (highest_low_ == 0) return {FitStatus::upper_bound, none, ""};
+  if (complete()) return fit_point(pooled_.exact, first_guess());
+  if (highest_low_ <= lowest_high_)
+    return {FitStatus::one_level, none,
+            "one intensity is in every bracket: log_std cannot be determined"};
+  const auto line = maximise([&](const ProbitLine& at) { return evaluate(at); }, first_guess());
+  if (!line) return {FitStatus::failed, none, "no greatest likelihood was found"};
+  return (*line)[1] > 0
+             ? PointFit{FitStatus::maximum_likelihood, *line, ""}
+             : PointFit{FitStatus::no_trend, none, "the brackets do not rise with intensity"};
+}
+
+Records::Scores BracketRecords::scores(const ProbitLine& line) const {
   Scores result(count(), 2);
-  for (Eigen::Index i = 0; i < count(); ++i) {
-    result.row(i) =
-        capacity_likelihood(records_[static_cast<std::size_t>(i)], line).gradient.transpose();
-  }
+  for (Eigen::Index i = 0; i < count(); ++i)
+    result.row(i) = evaluate(records_[static_cast<std::size_t>(i)], line).gradient.transpose();
   return result;
 }
 
-Eigen::Matrix2d CapacityRecords::information(const Eigen::VectorXd& weights,
-                                             const ProbitLine& line) const {
-  return capacity_likelihood(pooled(weights), line).information;
+/// The information, but for weights that differ: these may belong to large scores.
+Eigen::Matrix2d BracketRecords::score_variance(const ProbitLine& line) const {
+  const Eigen::Matrix2d information = evaluate(line).information;
+  if (equal_weights_) return information;
+  Eigen::Matrix2d plain = Eigen::Matrix2d::Zero(), weighted = plain;
+  for (const Row& row : rows_) {
+    const Eigen::Vector2d score = bracket_likelihood(in_logs(row), line).gradient;
+    plain += row.weight * score * score.transpose();
+    const double rest = 1 - row.weight / worth_.rows;
+    weighted += row.squares / (rest * rest) * score * score.transpose();
+  }
+  const Eigen::Matrix2d root = information.llt().matrixL(), root_plain = plain.llt().matrixL(),
+                        to = root * root_plain.inverse();
+  return to * weighted * to.transpose();
 }
 
-double CapacityRecords::log_likelihood(const FragilityCurve& curve) const {
-  return capacity_log_likelihood(sample_, curve);
+double BracketRecords::log_likelihood(const FragilityCurve& curve) const {
+  double constants = 0;
+  for (const Row& row : rows_) {
+    if (row.low == row.high)
+      constants += row.weight * (std::log(row.low) + 0.5 * std::log(2 * std::numbers::pi));
+  }
+  return evaluate(to_line(curve, center_)).value - constants;
 }
 
-FitSummary CapacityRecords::bound() const {
-  double records = 0;
-  for (const CapacityData& record : records_) records += record.censored > 0 ? 1 : 0;
-  return summarise_bound(to_data({{sample_.censored_at, records, 0.0}}));
+/// The limit of each record that says most.
+FitSummary BracketRecords::bound() const {
+  const bool reached = highest_low_ == 0;
+  const double worth = worth_.records / static_cast<double>(count());
+  std::map<std::size_t, Stripe> limits;  // by record, or row
+  for (const Row& row : rows_) {
+    const std::size_t trial = one_row_each() ? limits.size() : row.record;
+    const double n = one_row_each() ? row.weight : worth;
+    Stripe& limit = limits.emplace(trial, Stripe{reached ? row.high : row.low, n, reached ? n : 0})
+                        .first->second;
+    limit.intensity =
+        reached ? std::min(limit.intensity, row.high) : std::max(limit.intensity, row.low);
+  }
+  std::vector<Stripe> stripes;
+  for (const auto& [trial, limit] : limits) stripes.push_back(limit);
+  return summarise_bound(to_data(stripes));
+}
+
+std::string BracketRecords::method() const {
+  if (complete()) return "lognormal sample of capacities (n - 1)";
+  const bool censored = std::ranges::all_of(
+      rows_, [](const Row& row) { return row.low == row.high || std::isinf(row.high); });
+  return censored ? "lognormal maximum likelihood on right-censored capacities"
+                  : "lognormal maximum likelihood on brackets of the capacity";
+}
+
+std::string BracketRecords::note() const {
+  return without_limit_ == 0 ? ""
+                             : std::to_string(without_limit_) +
+                                   " row(s) from 0 to infinity say nothing and are left out";
 }
 
 }  // namespace glissade::fragility

@@ -11,7 +11,7 @@
 #include "glissade/core/normal.hpp"
 #include "glissade/fragility/weighted_fit.hpp"
 #include "lognormal/point_fit.hpp"
-#include "lognormal/profile.hpp"
+#include "lognormal/line_region.hpp"
 
 namespace glissade {
 namespace {
@@ -104,10 +104,19 @@ std::vector<SlipSums> sums_of(const std::vector<CloudPoint>& points) {
   return rows;
 }
 
-/// Of the profile likelihood of any slip: the rows count for less where records share their errors,
-/// and Student's t takes the place of the normal distribution.
-ProfileIntervals any_intervals(const std::vector<CloudPoint>& points, const TwoPartFit& fit,
-                               const CloudVariance& errors) {
+/// Of any slip, by the profile likelihood: the rows count for less where records share their errors
+/// (`effect`), and Student's t takes the place of the normal distribution.
+LineRegion any_region(const StripeData& data, const TwoPartFit& fit, double effect,
+                      const CloudVariance& errors) {
+  const ProbitLine line = to_line(fit.any, data.center);
+  const double t = student_quantile(std::max(1.0, errors.any_freedom), 0.975);
+  const double allowed = t * t * std::max(1.0, effect);
+  const Eigen::Matrix2d covariance = stripe_likelihood(data, line).information.inverse();
+  return {[&data](const ProbitLine& other) { return stripe_likelihood(data, other).value; }, line,
+          covariance.llt().matrixL(), [allowed](const ProbitLine&) { return allowed; }};
+}
+
+StripeData any_stripes(const std::vector<CloudPoint>& points) {
   std::map<double, Stripe> at;
   for (const CloudPoint& point : points) {
     if (point.weight == 0) continue;
@@ -118,16 +127,7 @@ ProfileIntervals any_intervals(const std::vector<CloudPoint>& points, const TwoP
   }
   std::vector<Stripe> stripes;
   for (const auto& [intensity, stripe] : at) stripes.push_back(stripe);
-  const StripeData data = to_data(stripes);
-  const ProbitLine line = to_line(fit.any, data.center);
-  const double t = student_quantile(std::max(1.0, errors.any_freedom), 0.975);
-  const auto with = [&](double design_effect) {
-    const double scale = std::pow(normal_quantile(0.975) / t, 2) / std::max(1.0, design_effect);
-    return profile_intervals(
-        [&](const ProbitLine& other) { return scale * stripe_likelihood(data, other).value; }, line,
-        data.center);
-  };
-  return {with(errors.median_design_effect).median, with(errors.log_std_design_effect).log_std};
+  return to_data(stripes);
 }
 
 Interval chi_square_interval(double log_std, double freedom) {
@@ -163,9 +163,12 @@ CloudSummary fit_cloud(const std::vector<CloudPoint>& points,
   summary.slope_interval = interval([](const TwoPartFit& f) { return f.slope; });
   summary.log_std_interval = chi_square_interval(summary.fit.log_std, errors.log_std_freedom);
   if (summary.fit.any_status == FitStatus::maximum_likelihood) {
-    const ProfileIntervals any = any_intervals(scaled(points, weights), summary.fit, errors);
-    summary.any_median_interval = any.median;
-    summary.any_log_std_interval = any.log_std;
+    const StripeData data = any_stripes(scaled(points, weights));
+    const Interval y =
+        any_region(data, summary.fit, errors.median_design_effect, errors).range(log_median);
+    summary.any_median_interval = exponentials({data.center + y.low, data.center + y.high});
+    summary.any_log_std_interval =
+        any_region(data, summary.fit, errors.log_std_design_effect, errors).range(fragility::log_std);
   }
   // Separated records do not show how much they differ: neither part of such a median has one.
   if (summary.fit.any_status == FitStatus::jeffreys_penalised) return summary;

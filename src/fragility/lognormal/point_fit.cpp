@@ -6,7 +6,7 @@
 
 #include "glissade/core/error.hpp"
 #include "glissade/core/finite.hpp"
-#include "lognormal/profile.hpp"
+#include "lognormal/line_region.hpp"
 
 namespace glissade::fragility {
 namespace {
@@ -77,7 +77,7 @@ PointFit fit_point(const CapacityData& data, const ProbitLine& start) {
   const double variance = (data.sum_squares - mean * data.sum) / (data.count - 1);
   if (data.count < 2 || !(variance > 1e-24)) {
     return {FitStatus::one_capacity, ProbitLine(-mean, 1),
-            "fewer than two different capacities: log_std cannot be determined"};
+            "one capacity: log_std cannot be determined"};
   }
   return {FitStatus::maximum_likelihood, ProbitLine(-mean, 1) / std::sqrt(variance), ""};
 }

@@ -40,7 +40,6 @@ double mean_log(const std::vector<double>& values);  ///< 0 if there are none
 FitSummary summarise_bound(const StripeData& data);
 inline constexpr auto note_on_floor =
     "a share (the floor) exceeds without any shaking; median and log_std are those of the rest";
-inline constexpr auto note_on_separation = "the stripes are separated by intensity: no interval";
 void add_sentence(std::string& note, const std::string& sentence);
 
 /// The summary where every history exceeds without shaking.

@@ -106,17 +106,20 @@ double correlation_in(const std::vector<RecordSample>& records, const std::vecto
   return 0.5 * (low + high);
 }
 
-/// Capacities as the null model has them: lognormal, correlated within records. Of a record with
-/// more than `most` histories as many, one in each of equal parts of probability.
+/// Capacities as the null model has them: lognormal, correlated within records.
 class NullModel {
  public:
   NullModel(const std::vector<RecordSample>& records, double correlation, double z_censored,
-            std::uint64_t seed)
-      : records_(records), correlation_(correlation), z_censored_(z_censored), seed_(seed) {}
+            std::uint64_t seed, bool stratified)
+      : records_(records),
+        correlation_(correlation),
+        z_censored_(z_censored),
+        seed_(seed),
+        stratified_(stratified) {}
 
   /// In units of z: the fitted median is 0 and log_std is 1.
   PooledCapacities draw(std::uint64_t replicate) const {
-    constexpr std::uint32_t most = 64;
+    constexpr std::uint32_t strata = 64;
     PooledCapacities sample{.censored_at = z_censored_};
     for (std::size_t i = 0; i < records_.size(); ++i) {
       const std::uint64_t item = replicate * records_.size() + i;
@@ -124,9 +127,10 @@ class NullModel {
         return keyed_uniform(seed_, RandomPurpose::goodness_of_fit, item, index);
       };
       const double shift = std::sqrt(correlation_) * normal_quantile(uniform(0));
-      const auto count = static_cast<std::uint32_t>(std::min<double>(records_[i].count, most));
+      const bool in_strata = stratified_ && records_[i].count > strata;
+      const auto count = in_strata ? strata : static_cast<std::uint32_t>(records_[i].count);
       for (std::uint32_t j = 0; j < count; ++j) {
-        const double u = records_[i].count > most ? (j + uniform(1 + j)) / most : uniform(1 + j);
+        const double u = in_strata ? (j + uniform(1 + j)) / strata : uniform(1 + j);
         const double y = shift + std::sqrt(1 - correlation_) * normal_quantile(u);
         if (y < z_censored_) {
           sample.y.push_back(y);
@@ -143,6 +147,7 @@ class NullModel {
   const std::vector<RecordSample>& records_;
   double correlation_, z_censored_;
   std::uint64_t seed_;
+  bool stratified_;
 };
 
 /// Share of replicates, the data among them, at least as far from their fit.
@@ -179,7 +184,8 @@ bool departs_from_lognormal(const GoodnessOfFit& fit) {
 }
 
 GoodnessOfFit lognormal_goodness_of_fit(const std::vector<RecordCapacities>& records,
-                                        double censored_at, const BootstrapOptions& options) {
+                                        double censored_at, const BootstrapOptions& options,
+                                        bool stratified) {
   GoodnessOfFit result;
   std::vector<double> all;
   for (const RecordCapacities& record : records)
@@ -205,7 +211,7 @@ GoodnessOfFit lognormal_goodness_of_fit(const std::vector<RecordCapacities>& rec
   result.correlation = correlation_in(samples, pooled.y);
   find_gap(pooled, fit.line, center, result);
   const NullModel null(samples, result.correlation, fit.line[0] + fit.line[1] * pooled.censored_at,
-                       options.seed);
+                       options.seed, stratified);
   result.p_value = p_value(null, result.distance, std::min(options.replicates, 199));
   return result;
 }

@@ -10,6 +10,7 @@
 
 #include "glissade/core/units.hpp"
 #include "glissade/core/wrap.hpp"
+#include "glissade/fragility/goodness_of_fit.hpp"
 
 namespace glissade {
 
@@ -93,9 +94,18 @@ std::string format_share(double share) {
   const double percent = 100.0 * share;
   if (percent == 0.0) return "0 %";
   if (percent < 0.1) return "< 0.1 %";
+  if (percent > 99.9 && percent < 100.0) return "> 99.9 %";
   if (percent < 10.0 || (percent > 99.0 && percent < 100.0))
     return fmt::format("{:.1f} %", percent);
   return fmt::format("{:.0f} %", percent);
+}
+
+std::string format_p(double p_value) {
+  return fmt::format("p {} {:.2g}", p_value > least_p_value ? "=" : "<=", p_value);
+}
+
+SignedEstimate p_cell(double p_value) {
+  return {{p_value, {}}, p_value > least_p_value ? "" : "<= "};
 }
 
 std::string format_interval(const Interval& interval) {

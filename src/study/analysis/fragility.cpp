@@ -34,7 +34,8 @@ bool recrosses(const HistoryTable& histories, std::size_t record, std::size_t c,
 }
 
 ThresholdFragility fit_threshold(const Results& results, const RunResults& run,
-                                 std::size_t threshold, const BootstrapOptions& options) {
+                                 std::size_t threshold, const BootstrapOptions& options,
+                                 SamplingMethod method) {
   const std::vector<double>& levels = results.levels;
   const HistoryTable& table = results.histories;
   const std::size_t records = table.records;
@@ -66,10 +67,11 @@ ThresholdFragility fit_threshold(const Results& results, const RunResults& run,
   fragility.recross_share = reached > 0.0 ? recrossed / reached : 0.0;
   fragility.censored_share = censored / histories;
   fragility.free_sliding_share = free / histories;
-  fragility.stripes = fit_stripes_by_record(levels, data.stripes, options);
-  fragility.capacities = fit_capacities_by_record(data.capacities, levels.back(), options,
+  fragility.stripes = fit_stripes_by_record(levels, data.stripes);
+  fragility.capacities = fit_capacities_by_record(data.capacities, levels.back(),
                                                   run.band_intensities, &fragility.band);
-  fragility.lognormal = lognormal_goodness_of_fit(data.capacities, levels.back(), options);
+  fragility.lognormal = lognormal_goodness_of_fit(data.capacities, levels.back(), options,
+                                                  method == SamplingMethod::sobol);
   for (std::size_t level = 0; level < levels.size(); ++level) {
     double share = 0.0;
     for (const std::vector<double>& record : exceeding) share += record[level];
@@ -146,7 +148,7 @@ RunResults fragility_of(const StudyConfig& config, const Results& results,
     run.band_intensities.push_back(levels.back() * static_cast<double>(i + 1) / band_points);
   run.fragilities.resize(results.thresholds_m.size());
   const auto fit = [&](std::size_t t) {
-    run.fragilities[t] = fit_threshold(results, run, t, options);
+    run.fragilities[t] = fit_threshold(results, run, t, options, config.sampling.method);
   };
   const std::vector<Standard>& standards = config.standards.compare;
   run.standards.resize(standards.size() * levels.size());

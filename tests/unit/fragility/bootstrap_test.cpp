@@ -74,7 +74,7 @@ Coverage stripe_coverage(int records, int studies, int naive_studies) {
   for (int study = 0; study < studies; ++study) {
     const auto data = simulated_stripes(records, 1000 + study);
     const FitSummary fit =
-        fit_stripes_by_record(intensities(), data, {.seed = 7, .replicates = 400});
+        fit_stripes_by_record(intensities(), data);
     share.median += covers(fit.median_interval, 1.0) ? 1.0 / studies : 0;
     share.log_std += covers(fit.log_std_interval, total_log_std) ? 1.0 / studies : 0;
     if (study < naive_studies) {
@@ -94,7 +94,7 @@ TEST(fit_stripes_by_record, covers_the_median_in_95_percent_of_studies_of_20_rec
   const Coverage share = stripe_coverage(20, 600, 100);
   EXPECT_GE(share.median, 0.92);
   EXPECT_LE(share.median, 0.98);
-  EXPECT_GE(share.log_std, 0.89);  // documented: 93 %; 600 studies, 4 sigma
+  EXPECT_GE(share.log_std, 0.92);
   EXPECT_LE(share.log_std, 0.98);
   EXPECT_LT(share.naive_median, 0.40);  // independent trials: the trap this method is for
 }
@@ -103,14 +103,13 @@ TEST(fit_stripes_by_record, covers_the_median_in_95_percent_of_studies_of_7_reco
   const Coverage share = stripe_coverage(7, 600, 0);
   EXPECT_GE(share.median, 0.92);
   EXPECT_LE(share.median, 0.98);
-  EXPECT_GE(share.log_std, 0.89);
+  EXPECT_GE(share.log_std, 0.92);
 }
 
 TEST(fit_capacities_by_record, covers_the_median_in_95_percent_of_studies_of_12_records) {
   double share = 0;
   for (int study = 0; study < 600; ++study) {
-    const FitSummary fit = fit_capacities_by_record(simulated_capacities(12, 5000 + study), 1e9,
-                                                    {.seed = 7, .replicates = 400});
+    const FitSummary fit = fit_capacities_by_record(simulated_capacities(12, 5000 + study), 1e9);
     share += covers(fit.median_interval, 1.0) ? 1 / 600.0 : 0;
   }
   RecordProperty("coverage_median", std::to_string(share));
@@ -120,7 +119,7 @@ TEST(fit_capacities_by_record, covers_the_median_in_95_percent_of_studies_of_12_
 
 TEST(fit_stripes_by_record, has_the_curve_of_the_pooled_stripes) {
   const auto data = simulated_stripes(20, 1);
-  const FitSummary by_record = fit_stripes_by_record(intensities(), data, {});
+  const FitSummary by_record = fit_stripes_by_record(intensities(), data);
   const FitSummary pooled = fit_stripes(pool(data));
   EXPECT_NEAR(by_record.curve.median, pooled.curve.median, 1e-12);
   EXPECT_NEAR(by_record.curve.log_std, pooled.curve.log_std, 1e-12);
@@ -129,12 +128,13 @@ TEST(fit_stripes_by_record, has_the_curve_of_the_pooled_stripes) {
 
 TEST(fit_stripes_by_record, gives_the_same_bits_again) {
   const auto data = simulated_stripes(20, 1);
-  const FitSummary one = fit_stripes_by_record(intensities(), data, {.seed = 1});
+  const FitSummary one = fit_stripes_by_record(intensities(), data);
   EXPECT_EQ(one.median_interval.low,
-            fit_stripes_by_record(intensities(), data, {.seed = 1}).median_interval.low);
+            fit_stripes_by_record(intensities(), data).median_interval.low);
 }
 
-// Samples of one record are no new evidence: counting each of them ten times changes nothing.
+// Samples of one record are no new evidence: counting each of them ten times changes next to
+// nothing (the variance within records is known better).
 TEST(fit_stripes_by_record, does_not_gain_by_repeating_the_samples_of_its_records) {
   const auto data = simulated_stripes(12, 3);
   auto repeated = data;
@@ -142,10 +142,10 @@ TEST(fit_stripes_by_record, does_not_gain_by_repeating_the_samples_of_its_record
     for (double& k : record.exceedances) k *= 10;
     for (double& n : record.trials) n *= 10;
   }
-  const FitSummary once = fit_stripes_by_record(intensities(), data, {});
-  const FitSummary ten_times = fit_stripes_by_record(intensities(), repeated, {});
-  EXPECT_NEAR(once.median_interval.low, ten_times.median_interval.low, 1e-9);
-  EXPECT_NEAR(once.log_std_interval.high, ten_times.log_std_interval.high, 1e-9);
+  const FitSummary once = fit_stripes_by_record(intensities(), data);
+  const FitSummary ten_times = fit_stripes_by_record(intensities(), repeated);
+  EXPECT_NEAR(once.median_interval.low, ten_times.median_interval.low, 1e-4);
+  EXPECT_NEAR(once.log_std_interval.high, ten_times.log_std_interval.high, 1e-3);
 }
 
 TEST(fit_stripes_by_record,
@@ -153,7 +153,7 @@ TEST(fit_stripes_by_record,
   const auto data = simulated_stripes(20, 4);
   std::vector<Interval> band;
   const std::vector<double> at = {0.3, 0.6, 1.0, 1.5, 3.0};
-  const FitSummary fit = fit_stripes_by_record(intensities(), data, {}, at, &band);
+  const FitSummary fit = fit_stripes_by_record(intensities(), data, at, &band);
   ASSERT_EQ(band.size(), at.size());
   for (std::size_t i = 0; i < at.size(); ++i) {
     EXPECT_GT(band[i].low, 0.0);
@@ -162,8 +162,7 @@ TEST(fit_stripes_by_record,
   }
   // At an end of the interval of the median, one half is at an end of the band.
   std::vector<Interval> ends;
-  fit_stripes_by_record(intensities(), data, {},
-                        {fit.median_interval.low, fit.median_interval.high}, &ends);
+  fit_stripes_by_record(intensities(), data, {fit.median_interval.low, fit.median_interval.high}, &ends);
   EXPECT_NEAR(ends[0].high, 0.5, 1e-9);
   EXPECT_NEAR(ends[1].low, 0.5, 1e-9);
 }
@@ -189,7 +188,7 @@ TEST(fit_capacities_by_record, bands_rise_with_intensity_and_keep_the_order_of_t
     for (const double ratio : {1.0, 1.3, 1.9}) {
       std::vector<Interval> band;
       const FitSummary fit =
-          fit_capacities_by_record(cut_at_two(first, ratio), 2.0, {.replicates = 200}, at, &band);
+          fit_capacities_by_record(cut_at_two(first, ratio), 2.0, at, &band);
       if (fit.status != FitStatus::maximum_likelihood) continue;
       for (std::size_t i = 0; i < at.size(); ++i) {
         const double p = fit.curve.probability(at[i]);
@@ -212,7 +211,7 @@ TEST(fit_capacities_by_record, bands_rise_with_intensity_and_keep_the_order_of_t
 
 TEST(fit_stripes_by_record, bounds_with_one_trial_per_record_where_nothing_exceeded) {
   const std::vector<RecordStripes> records(7, {{0.0, 0.0}, {1000.0, 1000.0}});
-  const FitSummary fit = fit_stripes_by_record({0.5, 1.0}, records, {});
+  const FitSummary fit = fit_stripes_by_record({0.5, 1.0}, records);
   const FitSummary one_each = fit_stripes({{0.5, 7, 0}, {1.0, 7, 0}});
   EXPECT_EQ(fit.status, FitStatus::lower_bound);
   EXPECT_NEAR(fit.curve.median, one_each.curve.median, 1e-12);
@@ -221,7 +220,7 @@ TEST(fit_stripes_by_record, bounds_with_one_trial_per_record_where_nothing_excee
 TEST(fit_capacities_by_record,
      bounds_with_one_trial_per_record_where_nothing_reached_the_threshold) {
   const std::vector<RecordCapacities> records(7, {{}, 1000.0});
-  const FitSummary fit = fit_capacities_by_record(records, 1.0, {});
+  const FitSummary fit = fit_capacities_by_record(records, 1.0);
   EXPECT_EQ(fit.status, FitStatus::lower_bound);
   EXPECT_NEAR(fit.curve.median, fit_stripes({{1.0, 7, 0}}).curve.median, 1e-12);
 }
@@ -230,15 +229,15 @@ TEST(fit_capacities_by_record,
 TEST(fit_stripes_by_record, leaves_the_median_uncertain_where_one_record_exceeds) {
   std::vector<RecordStripes> records(7, {{0.0, 0.0, 0.0}, {10.0, 10.0, 10.0}});
   records[3].exceedances = {1.0, 3.0, 6.0};
-  const FitSummary fit = fit_stripes_by_record({0.5, 1.0, 2.0}, records, {});
-  EXPECT_EQ(fit.status, FitStatus::maximum_likelihood);
+  const FitSummary fit = fit_stripes_by_record({0.5, 1.0, 2.0}, records);
+  EXPECT_EQ(fit.status, FitStatus::extrapolated);
   EXPECT_GT(fit.median_interval.high, 2.0 * fit.curve.median);
   EXPECT_GT(fit.curve.median, 2.0);
 }
 
 TEST(fit_stripes_by_record, penalises_separated_records_and_says_so) {
   const std::vector<RecordStripes> records(7, {{0.0, 0.0, 20.0, 20.0}, {20.0, 20.0, 20.0, 20.0}});
-  const FitSummary fit = fit_stripes_by_record({0.4, 0.6, 0.8, 1.0}, records, {});
+  const FitSummary fit = fit_stripes_by_record({0.4, 0.6, 0.8, 1.0}, records);
   EXPECT_EQ(fit.status, FitStatus::jeffreys_penalised);
   EXPECT_NE(fit.note.find("no interval"), std::string::npos);
   EXPECT_TRUE(std::isnan(fit.median_interval.low) && std::isnan(fit.log_std_interval.high));
@@ -254,8 +253,8 @@ TEST(fit_capacities_by_record, contains_a_floor_that_all_records_share) {
   for (RecordCapacities& record : data) record.free = samples / 7.0;
   const std::vector<double> at = {1e-3, 0.5, 1.0, 2.0, 1e3};
   std::vector<Interval> band, rest_band;
-  const FitSummary fit = fit_capacities_by_record(data, 1e9, {}, at, &band);
-  const FitSummary without = fit_capacities_by_record(rest, 1e9, {}, at, &rest_band);
+  const FitSummary fit = fit_capacities_by_record(data, 1e9, at, &band);
+  const FitSummary without = fit_capacities_by_record(rest, 1e9, at, &rest_band);
   EXPECT_NEAR(fit.curve.floor, 0.125, 1e-15);
   EXPECT_EQ(fit.curve.median, without.curve.median);
   EXPECT_EQ(fit.median_interval.low, without.median_interval.low);
@@ -281,14 +280,13 @@ std::vector<RecordCapacities> with_varying_floors(int records, std::uint64_t see
   return data;
 }
 
-// 600 studies: expanded percentiles cover 92 to 95 % (documented above), 4 sigma below the lower.
+// 600 studies, 4 sigma below 95 %. What has both the floor's interval and the curve's is wider.
 TEST(fit_capacities_by_record, covers_a_floor_that_differs_from_record_to_record) {
   const FragilityCurve truth{1.0, total_log_std, 0.15};
   double floor = 0, p50 = 0, probability = 0;
   for (int study = 0; study < 600; ++study) {
     std::vector<Interval> band;
-    const FitSummary fit = fit_capacities_by_record(with_varying_floors(12, 9000 + study), 1e9,
-                                                    {.seed = 7, .replicates = 400}, {0.6}, &band);
+    const FitSummary fit = fit_capacities_by_record(with_varying_floors(12, 9000 + study), 1e9, {0.6}, &band);
     floor += covers(fit.floor_interval, 0.15) ? 1 / 600.0 : 0;
     p50 += covers(fit.p50_interval, truth.intensity_at(0.5)) ? 1 / 600.0 : 0;
     probability += covers(band[0], truth.probability(0.6)) ? 1 / 600.0 : 0;
@@ -297,16 +295,16 @@ TEST(fit_capacities_by_record, covers_a_floor_that_differs_from_record_to_record
   RecordProperty("coverage_p50", std::to_string(p50));
   RecordProperty("coverage_probability", std::to_string(probability));
   for (const double share : {floor, p50, probability}) {
-    EXPECT_GE(share, 0.89);
-    EXPECT_LE(share, 0.99);
+    EXPECT_GE(share, 0.91);
+    EXPECT_LE(share, 0.998);
   }
 }
 
 TEST(fit_stripes_by_record, has_the_same_floor_as_capacities_and_the_curve_of_the_rest) {
   auto data = simulated_stripes(12, 3);
-  const FitSummary rest = fit_stripes_by_record(intensities(), data, {});
+  const FitSummary rest = fit_stripes_by_record(intensities(), data);
   for (RecordStripes& record : data) record.free = 10.0;
-  const FitSummary fit = fit_stripes_by_record(intensities(), data, {});
+  const FitSummary fit = fit_stripes_by_record(intensities(), data);
   EXPECT_NEAR(fit.curve.floor, 10.0 / 60.0, 1e-15);
   EXPECT_EQ(fit.curve.median, rest.curve.median);
   EXPECT_EQ(fit.log_std_interval.high, rest.log_std_interval.high);
@@ -315,8 +313,8 @@ TEST(fit_stripes_by_record, has_the_same_floor_as_capacities_and_the_curve_of_th
 TEST(fit_by_record, always_exceeds_where_every_history_slides_freely) {
   const std::vector<RecordCapacities> capacities(7, {{}, 0.0, 10.0});
   const std::vector<RecordStripes> stripes(7, {{0.0, 0.0}, {0.0, 0.0}, 10.0});
-  for (const FitSummary& fit : {fit_capacities_by_record(capacities, 1.0, {}),
-                                fit_stripes_by_record({0.5, 1.0}, stripes, {})}) {
+  for (const FitSummary& fit : {fit_capacities_by_record(capacities, 1.0),
+                                fit_stripes_by_record({0.5, 1.0}, stripes)}) {
     EXPECT_EQ(fit.status, FitStatus::always_exceeds);
     EXPECT_EQ(fit.curve.floor, 1.0);
   }
@@ -324,7 +322,7 @@ TEST(fit_by_record, always_exceeds_where_every_history_slides_freely) {
 
 TEST(fit_by_record, keeps_the_floor_beside_a_bound) {
   const std::vector<RecordCapacities> records(7, {{}, 30.0, 10.0});
-  const FitSummary fit = fit_capacities_by_record(records, 1.0, {});
+  const FitSummary fit = fit_capacities_by_record(records, 1.0);
   EXPECT_EQ(fit.status, FitStatus::lower_bound);
   EXPECT_DOUBLE_EQ(fit.curve.floor, 0.25);
   EXPECT_DOUBLE_EQ(fit.p50_interval.low, fit.curve.intensity_at(0.5));  // below the median's bound
@@ -333,13 +331,13 @@ TEST(fit_by_record, keeps_the_floor_beside_a_bound) {
 
 TEST(fit_stripes_by_record, has_no_curve_where_the_share_does_not_rise) {
   const std::vector<RecordStripes> records(7, {{5.0, 5.0, 5.0}, {20.0, 20.0, 20.0}});
-  const FitSummary fit = fit_stripes_by_record({0.5, 1.0, 2.0}, records, {});
+  const FitSummary fit = fit_stripes_by_record({0.5, 1.0, 2.0}, records);
   EXPECT_EQ(fit.status, FitStatus::no_trend);
   EXPECT_TRUE(std::isnan(fit.curve.median));
 }
 
 TEST(fit_stripes_by_record, gives_no_interval_for_one_record) {
-  const FitSummary fit = fit_stripes_by_record(intensities(), simulated_stripes(1, 1), {});
+  const FitSummary fit = fit_stripes_by_record(intensities(), simulated_stripes(1, 1));
   EXPECT_EQ(fit.status, FitStatus::maximum_likelihood);
   EXPECT_TRUE(std::isnan(fit.median_interval.low));
   EXPECT_NE(fit.note, "");
@@ -347,7 +345,7 @@ TEST(fit_stripes_by_record, gives_no_interval_for_one_record) {
 
 TEST(fit_stripes_by_record, names_the_records_whose_counts_are_out_of_range) {
   try {
-    fit_stripes_by_record({0.5, 1.0}, {{{0, 1}, {1, 1}}, {{0, 2}, {1, 1}}, {{0}, {1}}}, {});
+    fit_stripes_by_record({0.5, 1.0}, {{{0, 1}, {1, 1}}, {{0, 2}, {1, 1}}, {{0}, {1}}});
     FAIL() << "no InputError";
   } catch (const InputError& error) {
     ASSERT_EQ(error.problems().size(), 2u);

@@ -17,7 +17,7 @@ using namespace worked_examples;
 
 TEST(fit_stripes, reproduces_baker_2015) {
   const FitSummary fit = fit_stripes(baker_2015());
-  EXPECT_EQ(fit.status, FitStatus::maximum_likelihood);
+  EXPECT_EQ(fit.status, FitStatus::extrapolated);  // 18 of 40 at the highest level
   EXPECT_NEAR(fit.curve.median, 1.076115794, 5e-10);
   EXPECT_NEAR(fit.curve.log_std, 0.4292372038, 5e-11);
   EXPECT_NEAR(fit.median_interval.low, 0.964246, 5e-7);

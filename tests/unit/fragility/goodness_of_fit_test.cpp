@@ -13,17 +13,21 @@ namespace glissade {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr int samples = 16;
+constexpr int goodness_samples = 16;
 
-/// ln capacity = a(record) + e(record, sample), of deviations 0.35 and 0.20; above `limit`
-/// censored.
+/// ln capacity = a(record) + e(record, sample); above `limit` censored.
+struct Spread {
+  double between = 0.35, within = 0.20;
+  int samples = goodness_samples;
+};
 std::vector<RecordCapacities> lognormal_records(int records, std::uint64_t seed,
-                                                double limit = infinity) {
+                                                double limit = infinity, Spread spread = {}) {
   std::vector<RecordCapacities> result(records);
   for (int i = 0; i < records; ++i) {
-    const double a = 0.35 * keyed_normal(seed, RandomPurpose::test, i, 0);
-    for (int s = 1; s <= samples; ++s) {
-      const double capacity = std::exp(a + 0.20 * keyed_normal(seed, RandomPurpose::test, i, s));
+    const double a = spread.between * keyed_normal(seed, RandomPurpose::test, i, 0);
+    for (int s = 1; s <= spread.samples; ++s) {
+      const double capacity =
+          std::exp(a + spread.within * keyed_normal(seed, RandomPurpose::test, i, s));
       if (capacity < limit) {
         result[i].capacities.push_back(capacity);
       } else {
@@ -34,13 +38,13 @@ std::vector<RecordCapacities> lognormal_records(int records, std::uint64_t seed,
   return result;
 }
 
-double rejected_share(int records, double limit) {
+double rejected_share(int records, double limit, Spread spread = {}) {
   constexpr int studies = 200;
   int rejected = 0;
   for (int study = 0; study < studies; ++study) {
     const std::uint64_t seed = 1000u + static_cast<std::uint64_t>(study);
-    const GoodnessOfFit fit =
-        lognormal_goodness_of_fit(lognormal_records(records, seed, limit), limit, {.seed = seed});
+    const GoodnessOfFit fit = lognormal_goodness_of_fit(
+        lognormal_records(records, seed, limit, spread), limit, {.seed = seed});
     if (fit.p_value < goodness_of_fit_level) ++rejected;
   }
   return rejected / static_cast<double>(studies);
@@ -52,6 +56,14 @@ TEST(goodness_of_fit, refuses_a_lognormal_as_often_as_its_level_says) {
   EXPECT_NEAR(rejected_share(7, infinity), 0.05, 0.045);
   EXPECT_NEAR(rejected_share(20, infinity), 0.05, 0.045);
   EXPECT_NEAR(rejected_share(20, 1.0), 0.05, 0.045);
+}
+
+// With the 64 of a stratified sample in place of them: 100, 77 and 13 %.
+TEST(goodness_of_fit, refuses_as_often_with_100_independent_samples_of_each_record) {
+  for (const double correlation : {0.0, 0.2, 0.5}) {
+    const Spread spread{0.4 * std::sqrt(correlation), 0.4 * std::sqrt(1 - correlation), 100};
+    EXPECT_NEAR(rejected_share(7, infinity, spread), 0.05, 0.045) << correlation;
+  }
 }
 
 TEST(goodness_of_fit, is_the_distance_of_cramer_and_von_mises) {
@@ -86,10 +98,10 @@ TEST(goodness_of_fit, finds_the_correlation_within_records) {
 TEST(goodness_of_fit, refuses_two_kinds_of_capacities) {
   std::vector<RecordCapacities> records = lognormal_records(20, 7);
   for (RecordCapacities& record : records) {
-    for (int s = 0; s < samples / 2; ++s) record.capacities[s] *= 0.1;
+    for (int s = 0; s < goodness_samples / 2; ++s) record.capacities[s] *= 0.1;
   }
   const GoodnessOfFit fit = lognormal_goodness_of_fit(records, infinity, {});
-  EXPECT_EQ(fit.p_value, 1.0 / 200);
+  EXPECT_EQ(fit.p_value, least_p_value);
   // Between the two kinds the share is 0.5, of 0.5 + 0.5 at most.
   EXPECT_GT(std::abs(fit.largest_gap), 0.1);
   EXPECT_LT(std::abs(fit.largest_gap), 0.5);

@@ -3,12 +3,15 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <boost/math/distributions/students_t.hpp>
 #include <cmath>
+#include <string>
 
 #include "glissade/core/error.hpp"
 #include "glissade/core/normal.hpp"
 #include "glissade/core/random.hpp"
+#include "glissade/fragility/bootstrap.hpp"
 #include "worked_examples.hpp"
 
 namespace glissade {
@@ -33,10 +36,10 @@ std::vector<WeightedStripe> baker_by_record(double weight) {
 TEST(fit_weighted_stripes, of_equal_weights_is_the_plain_fit) {
   for (const double weight : {1.0, 0.25}) {
     const FitSummary fit = fit_weighted_stripes(baker_by_record(weight));
-    EXPECT_EQ(fit.status, FitStatus::maximum_likelihood);
+    EXPECT_EQ(fit.status, FitStatus::extrapolated);
     EXPECT_NEAR(fit.curve.median, 1.076115794, 5e-10);
     EXPECT_NEAR(fit.curve.log_std, 0.4292372038, 5e-11);
-    EXPECT_NEAR(fit.effective_records, 4.0, 1e-12);
+    EXPECT_TRUE(std::isnan(fit.effective_records));  // named where weights differ
   }
 }
 
@@ -54,7 +57,7 @@ TEST(fit_weighted_stripes, weighs_as_often_as_a_row_is_repeated_and_without_weig
   weighted.push_back({{1.0, 9, 9}, 0.0, 17});
   const FitSummary a = fit_weighted_stripes(weighted), b = fit_weighted_stripes(repeated);
   EXPECT_NEAR(a.curve.median, b.curve.median, 1e-12);
-  EXPECT_NEAR(a.median_interval.low, b.median_interval.low, 1e-12);
+  EXPECT_NEAR(a.median_interval.low, b.median_interval.low, 0.02);
   EXPECT_NEAR(a.effective_records, 64.0 / 14.0, 1e-12);  // weights 3, 1, 1, 1, 1, 1: 8^2 / 14
 }
 
@@ -77,9 +80,8 @@ TEST(fit_brackets, gives_log_std_an_interval_like_chi_square) {
     rows.push_back({std::exp(y), std::exp(y), 1.0, static_cast<std::size_t>(i)});
   }
   const FitSummary fit = fit_brackets(rows, false);
-  const double unbiased = fit.curve.log_std * std::sqrt(12.0 / 11.0);
-  EXPECT_NEAR(fit.log_std_interval.low / unbiased, 0.708, 0.03);
-  EXPECT_NEAR(fit.log_std_interval.high / unbiased, 1.698, 0.10);
+  EXPECT_NEAR(fit.log_std_interval.low / fit.curve.log_std, 0.708, 0.001);
+  EXPECT_NEAR(fit.log_std_interval.high / fit.curve.log_std, 1.698, 0.001);
 }
 
 TEST(fit_weighted_stripes, refuses_weights_that_are_all_zero_or_negative) {
@@ -87,7 +89,8 @@ TEST(fit_weighted_stripes, refuses_weights_that_are_all_zero_or_negative) {
   EXPECT_THROW(fit_weighted_stripes(baker_by_record(-1.0)), InputError);
 }
 
-// Exact capacities, a record each: the sandwich with n/(n - 1) is the classic interval of a mean.
+// Exact capacities, a record each: the classic interval of a mean, whatever the unit of the
+// weights.
 TEST(fit_brackets, gives_students_interval_of_exact_capacities) {
   std::vector<CapacityBracket> rows;
   double sum = 0, squares = 0;
@@ -102,7 +105,7 @@ TEST(fit_brackets, gives_students_interval_of_exact_capacities) {
   const double reach = quantile(boost::math::students_t(n - 1), 0.975) * s / std::sqrt(n);
   const FitSummary fit = fit_brackets(rows, false);
   EXPECT_NEAR(std::log(fit.curve.median), mean, 1e-12);
-  EXPECT_NEAR(fit.curve.log_std, s * std::sqrt((n - 1.0) / n), 1e-12);
+  EXPECT_NEAR(fit.curve.log_std, s, 1e-12);
   EXPECT_NEAR(std::log(fit.median_interval.low), mean - reach, 1e-10);
   EXPECT_NEAR(std::log(fit.median_interval.high), mean + reach, 1e-10);
 }
@@ -142,6 +145,161 @@ TEST(fit_brackets, recovers_a_lognormal_from_brackets) {
   EXPECT_NEAR(std::log(clustered.median_interval.high / clustered.median_interval.low) /
                   std::log(fit.median_interval.high / fit.median_interval.low),
               1.0, 0.05);
+}
+
+/// The same median, log_std and intervals.
+void expect_same(const FitSummary& a, const FitSummary& b, const std::string& name,
+                 double tolerance = 1e-9) {
+  EXPECT_EQ(a.status, b.status) << name;
+  const auto numbers = [](const FitSummary& fit) {
+    return std::vector{
+        fit.curve.median,         fit.curve.log_std,        fit.median_interval.low,
+        fit.median_interval.high, fit.log_std_interval.low, fit.log_std_interval.high,
+        fit.p50_interval.low,     fit.p50_interval.high,    fit.log_likelihood};
+  };
+  for (std::size_t i = 0; i < numbers(a).size(); ++i) {
+    if (std::isnan(numbers(a)[i])) {
+      EXPECT_TRUE(std::isnan(numbers(b)[i])) << name << " " << i;
+    } else if (numbers(a)[i] != numbers(b)[i]) {  // both infinite
+      EXPECT_NEAR(numbers(b)[i] / numbers(a)[i], 1.0, tolerance) << name << " " << i;
+    }
+  }
+}
+
+constexpr std::array units = {1e-20, 0.1, 1.0, 10.0, 100.0};
+
+TEST(weights, of_any_unit_give_the_same_numbers) {
+  const auto capacities = [](double unit) {
+    std::vector<CapacityBracket> rows;
+    for (std::size_t i = 0; i < 12; ++i) {
+      const double c = std::exp(0.3 * normal(9, static_cast<int>(i)));
+      rows.push_back({c < 1.2 ? c : 1.2, c < 1.2 ? c : infinity,
+                      unit * (1.0 + static_cast<double>(i % 3)), i / 2});
+    }
+    return rows;
+  };
+  const auto counts = [](double unit, bool separated) {
+    std::vector<WeightedStripe> rows;
+    for (std::size_t record = 0; record < 5; ++record) {
+      const double more = separated ? 0.0 : static_cast<double>(record);
+      rows.push_back({{0.5, 8, more}, unit, record});
+      rows.push_back({{1.0, 8, separated ? 8 : 2 + more}, unit, record});
+    }
+    return rows;
+  };
+  for (const double unit : units) {
+    const std::string name = std::to_string(unit);
+    expect_same(fit_brackets(capacities(1.0), false), fit_brackets(capacities(unit), false), name);
+    for (const bool separated : {false, true})
+      expect_same(fit_weighted_stripes(counts(1.0, separated)),
+                  fit_weighted_stripes(counts(unit, separated)), name);
+  }
+}
+
+// Separated records count once each, whatever their samples: 0.148 and 0.113 with 1 and 10 of each.
+TEST(weights, and_samples_of_a_record_do_not_make_separated_data_more_certain) {
+  const auto rows = [](double samples) {
+    std::vector<WeightedStripe> all;
+    for (std::size_t record = 0; record < 7; ++record)
+      for (const double x : {0.4, 0.6, 0.8, 1.0})
+        all.push_back({{x, samples, x > 0.7 ? samples : 0.0}, 1.0, record});
+    return all;
+  };
+  const FitSummary one = fit_weighted_stripes(rows(1)), many = fit_weighted_stripes(rows(50));
+  EXPECT_EQ(many.status, FitStatus::jeffreys_penalised);
+  EXPECT_NEAR(many.curve.log_std, one.curve.log_std, 1e-12);
+  EXPECT_NEAR(one.curve.log_std,
+              fit_stripes({{0.4, 7, 0}, {0.6, 7, 0}, {0.8, 7, 7}, {1.0, 7, 7}}).curve.log_std,
+              1e-12);
+}
+
+/// Exact capacities as brackets, a record each.
+std::vector<CapacityBracket> exact(const std::vector<double>& capacities, double weight = 1.0) {
+  std::vector<CapacityBracket> rows;
+  for (const double c : capacities) rows.push_back({c, c, weight, rows.size()});
+  return rows;
+}
+
+TEST(fits, of_the_same_data_in_other_forms_are_the_same) {
+  const std::vector<double> data = {0.5, 0.6, 0.8, 0.9};
+  const FitSummary plain = fit_capacities({data});
+  EXPECT_NEAR(plain.curve.log_std, 0.2678, 5e-5);
+  EXPECT_NEAR(plain.median_interval.low, 0.445, 5e-4);
+  EXPECT_NEAR(plain.median_interval.high, 1.044, 5e-4);
+  expect_same(plain, fit_brackets(exact(data), true), "brackets");
+  expect_same(plain, fit_brackets(exact(data), false), "a name each");
+  expect_same(plain, fit_brackets(exact(data, 7.0), false), "weights");
+  std::vector<RecordCapacities> records;
+  for (const double c : data) records.push_back({{c}});
+  expect_same(plain, fit_capacities_by_record(records, infinity), "by record");
+}
+
+// Exact: chi-square of six degrees of freedom.
+TEST(fits, with_one_row_of_each_record_are_those_without_records) {
+  const std::vector<double> data = {0.52, 0.70, 0.61, 0.93, 1.10, 0.80, 0.75};
+  const FitSummary named = fit_brackets(exact(data), false);
+  EXPECT_NEAR(named.log_std_interval.low, 0.1619, 5e-5);
+  EXPECT_NEAR(named.log_std_interval.high, 0.5532, 5e-5);
+  expect_same(fit_capacities({data}), named, "capacities");
+  // Censored at 0.77.
+  std::vector<CapacityBracket> censored = exact({0.52, 0.70, 0.61, 0.75});
+  for (int i = 0; i < 3; ++i) censored.push_back({0.77, infinity, 1.0, censored.size()});
+  expect_same(fit_capacities({{0.52, 0.70, 0.61, 0.75}, 3.0, 0.77}), fit_brackets(censored, false),
+              "censored", 1e-7);
+  // Counts of records that are all of one level.
+  std::vector<WeightedStripe> rows;
+  for (const double x : {0.5, 1.0, 1.5})
+    for (int i = 0; i < 10; ++i) rows.push_back({{x, 1, i < 4 * x ? 1.0 : 0.0}, 1.0, rows.size()});
+  expect_same(fit_stripes({{0.5, 10, 2}, {1.0, 10, 4}, {1.5, 10, 6}}), fit_weighted_stripes(rows),
+              "counts");
+}
+
+TEST(fits, say_that_they_extrapolate_and_leave_the_median_open_above) {
+  const FitSummary above = fit_stripes({{0.3, 40, 0}, {0.4, 40, 1}, {0.5, 40, 2}});
+  EXPECT_EQ(above.status, FitStatus::extrapolated);
+  EXPECT_TRUE(above.converged());
+  EXPECT_NE(above.note.find("end below 50 %"), std::string::npos);
+  EXPECT_TRUE(std::isinf(above.median_interval.high));
+  EXPECT_GT(above.median_interval.low, 0.5);
+  const FitSummary below = fit_stripes({{0.5, 40, 30}, {0.6, 40, 33}, {0.7, 40, 38}});
+  EXPECT_EQ(below.status, FitStatus::extrapolated);
+  EXPECT_NE(below.note.find("begin above 50 %"), std::string::npos);
+}
+
+TEST(fits, of_identical_records_have_no_interval_and_say_why) {
+  const std::vector<RecordCapacities> records(3, {{0.5, 0.8, 1.1}});
+  const FitSummary fit = fit_capacities_by_record(records, 2.0);
+  EXPECT_TRUE(std::isnan(fit.median_interval.low));
+  EXPECT_NE(fit.note.find("identical"), std::string::npos);
+}
+
+TEST(fits, of_a_bound_with_a_floor_above_one_half_have_no_interval_of_the_half) {
+  const FitSummary fit =
+      fit_capacities_by_record(std::vector<RecordCapacities>(5, {{}, 3.0, 7.0}), 1.0);
+  EXPECT_EQ(fit.status, FitStatus::lower_bound);
+  EXPECT_EQ(fit.curve.intensity_at(0.5), 0.0);
+  EXPECT_TRUE(std::isnan(fit.p50_interval.low) && std::isnan(fit.p50_interval.high));
+  EXPECT_GT(fit.median_interval.low, 0.0);
+}
+
+// 600 data sets each of 7 records with 10 rows, correlation 0 and 0.5: nominal 95 %, with a
+// standard deviation of 0.9 % (0.82 and 0.90 where the variance within records is taken as known).
+TEST(fits, cover_log_std_with_weak_and_with_strong_records) {
+  for (const double correlation : {0.0, 0.5}) {
+    int covered = 0;
+    for (int set = 0; set < 600; ++set) {
+      std::vector<RecordCapacities> records(7);
+      for (int i = 0; i < 7; ++i) {
+        const auto z = [&](int k) { return normal(5000 + set, 100 * i + k); };
+        for (int row = 1; row <= 10; ++row)
+          records[static_cast<std::size_t>(i)].capacities.push_back(std::exp(
+              0.4 * (std::sqrt(correlation) * z(0) + std::sqrt(1 - correlation) * z(row))));
+      }
+      const Interval of = fit_capacities_by_record(records, infinity).log_std_interval;
+      covered += of.low <= 0.4 && 0.4 <= of.high;
+    }
+    EXPECT_NEAR(covered / 600.0, 0.95, 0.03) << correlation;
+  }
 }
 
 // Records drawn from a proposal of median 0.7 in place of 1, with the ratio of densities as weight.

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "lognormal/line_region.hpp"
+
+#include <algorithm>
+#include <boost/math/tools/minima.hpp>
+#include <boost/math/tools/toms748_solve.hpp>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+#include "glissade/core/finite.hpp"
+
+namespace glissade::fragility {
+namespace {
+
+constexpr int steps = 96;
+constexpr double step = 2 * std::numbers::pi / steps;
+
+/// Where f changes its sign between two places.
+double zero_between(const std::function<double(double)>& f, double a, double b, double f_a,
+                    double f_b) {
+  std::uintmax_t iterations = 100;
+  const auto [low, high] = boost::math::tools::toms748_solve(
+      f, a, b, f_a, f_b, boost::math::tools::eps_tolerance<double>(45), iterations);
+  return 0.5 * (low + high);
+}
+
+}  // namespace
+
+LineRegion::LineRegion(LogLikelihood log_likelihood, const ProbitLine& maximum,
+                       const Eigen::Matrix2d& scale, LogLikelihood allowed)
+    : log_likelihood_(std::move(log_likelihood)),
+      allowed_(std::move(allowed)),
+      maximum_(maximum),
+      greatest_(log_likelihood_(maximum)),
+      scale_(scale) {
+  for (int i = 0; i < steps; ++i) boundary_.push_back(boundary(i * step));
+}
+
+/// Outward from the maximum, as far as the line rises.
+ProbitLine LineRegion::boundary(double angle) const {
+  const Eigen::Vector2d direction = scale_ * Eigen::Vector2d(std::cos(angle), std::sin(angle));
+  const double level = direction[1] < 0 ? -maximum_[1] / direction[1] : infinity;
+  const auto excess = [&](double r) {
+    const ProbitLine line = maximum_ + r * direction;
+    const double fall = 2 * (greatest_ - log_likelihood_(line));
+    return std::min(fall, 1e30) - allowed_(line);
+  };
+  const double last = std::isinf(level) ? 1e9 : (1 - 1e-9) * level;
+  double from = 0, to = std::min(2.0, 0.5 * last), at_from = -1, at_to = excess(to);
+  while (at_to < 0 && to < last) {
+    from = std::exchange(to, std::min(1.5 * to, last));
+    at_from = std::exchange(at_to, excess(to));
+  }
+  if (at_to < 0) return {maximum_[0] + to * direction[0], 0.0};
+  if (from == 0) at_from = excess(from = 1e-6 * to);
+  return maximum_ + zero_between(excess, from, to, at_from, at_to) * direction;
+}
+
+Interval LineRegion::range(const std::function<double(const ProbitLine&)>& quantity) const {
+  /// The least of `sign` times the quantity, refined between the neighbours of the least step.
+  const auto least = [&](double sign) {
+    double found = infinity;
+    int at = 0;
+    for (int i = 0; i < steps; ++i) {
+      const double value = sign * quantity(boundary_[static_cast<std::size_t>(i)]);
+      if (value < found) found = value, at = i;
+    }
+    if (std::isinf(found)) return found;
+    std::uintmax_t iterations = 60;
+    const auto [angle, refined] = boost::math::tools::brent_find_minima(
+        [&](double a) { return sign * quantity(boundary(a)); }, (at - 1) * step, (at + 1) * step,
+        24, iterations);
+    return std::min(found, refined);
+  };
+  return {least(1), -least(-1)};
+}
+
+double median_bound(const LogLikelihood& log_outcome_probability, double log_std, double center) {
+  const auto excess = [&](double m) {
+    return log_outcome_probability(ProbitLine(-m, 1) / log_std) - std::log(0.05);
+  };
+  double reach = log_std;
+  while ((excess(-reach) > 0) == (excess(reach) > 0) && reach < 1e3) reach *= 2;
+  return std::exp(center + zero_between(excess, -reach, reach, excess(-reach), excess(reach)));
+}
+
+}  // namespace glissade::fragility

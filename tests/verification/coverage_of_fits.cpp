@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "coverage_of_fits.hpp"
+
+#include <array>
+#include <cmath>
+
+#include "glissade/core/finite.hpp"
+#include "glissade/core/random.hpp"
+#include "glissade/fragility/weighted_fit.hpp"
+
+namespace glissade::verification {
+namespace {
+
+// Capacities of median 1: ln C = 0.4 (sqrt(c) a + sqrt(1 - c) e), a by record and e by row.
+constexpr double true_log_std = 0.4;
+constexpr int sets = 1000;
+
+/// How the data are made, and what is kept of the capacities.
+struct Design {
+  const char* name;
+  int rows;  ///< of a record
+  double correlation;
+  enum { complete, censored, counts, weighted } kind;
+  double limit;       ///< highest intensity, in medians
+  bool wide = false;  ///< may cover more than 97 %
+};
+
+constexpr std::array designs = {
+    Design{"one row a record", 1, 0.0, Design::complete, infinity},
+    Design{"two rows a record, correlation 0.5", 2, 0.5, Design::complete, infinity},
+    Design{"10 rows a record, correlation 0", 10, 0.0, Design::complete, infinity},
+    Design{"10 rows a record, correlation 0.05", 10, 0.05, Design::complete, infinity},
+    Design{"10 rows a record, correlation 0.2", 10, 0.2, Design::complete, infinity},
+    Design{"one row a record, censored at 0.8 of the median", 1, 0.0, Design::censored, 0.8},
+    Design{"10 rows a record, correlation 0.05, censored at 0.8 of the median", 10, 0.05,
+           Design::censored, 0.8, true},
+    Design{"50 rows a record, correlation 0.75, censored at 0.8 of the median", 50, 0.75,
+           Design::censored, 0.8, true},
+    Design{"counts up to half the median, 10 rows a record, correlation 0", 10, 0.0, Design::counts,
+           0.5, true},
+    Design{"counts up to half the median, 50 rows a record, correlation 0.75", 50, 0.75,
+           Design::counts, 0.5, true},
+    Design{"importance weights, one row a record", 1, 0.0, Design::weighted, infinity},
+    Design{"importance weights by record, 10 rows each, correlation 0.2", 10, 0.2, Design::weighted,
+           infinity},
+};
+
+/// Of importance sampling the records are drawn from capacities of which the records' part is lower
+/// by half its deviation.
+constexpr double shift = 0.5;
+
+FitSummary fit_of(const Design& design, std::size_t records, std::uint64_t seed) {
+  std::vector<CapacityBracket> capacities;
+  std::vector<WeightedStripe> counts;
+  const double by_record = design.rows == 1 ? 1.0 : std::sqrt(design.correlation),
+               by_row = std::sqrt(1 - by_record * by_record);
+  for (std::size_t i = 0; i < records; ++i) {
+    const auto z = [&](std::uint32_t k) { return keyed_normal(seed, RandomPurpose::test, i, k); };
+    const bool weighted = design.kind == Design::weighted;
+    const double a = z(0) - (weighted ? shift : 0.0),
+                 weight = weighted ? std::exp(0.5 * (z(0) * z(0) - a * a)) : 1.0;
+    std::array<double, 5> exceed{};
+    for (int row = 0; row < design.rows; ++row) {
+      const double e = design.rows == 1 ? 0.0 : z(1 + static_cast<std::uint32_t>(row));
+      const double c = std::exp(true_log_std * (by_record * a + by_row * e));
+      for (std::size_t j = 0; j < exceed.size(); ++j)
+        exceed[j] += c < design.limit * static_cast<double>(j + 1) / 5 ? 1.0 : 0.0;
+      const bool reached = c < design.limit;
+      capacities.push_back({reached ? c : design.limit, reached ? c : infinity, weight, i});
+    }
+    for (std::size_t j = 0; j < exceed.size() && design.kind == Design::counts; ++j)
+      counts.push_back({{design.limit * static_cast<double>(j + 1) / 5,
+                         static_cast<double>(design.rows), exceed[j]},
+                        1.0,
+                        i});
+  }
+  return design.kind == Design::counts ? fit_weighted_stripes(counts)
+                                       : fit_brackets(capacities, false);
+}
+
+/// Of the sets that have an interval.
+struct Share {
+  int covered = 0, count = 0;
+
+  void add(const Interval& interval, double truth) {
+    if (std::isnan(interval.low)) return;
+    ++count;
+    covered += interval.low <= truth && truth <= interval.high;
+  }
+  double value() const { return covered / static_cast<double>(count); }
+};
+
+}  // namespace
+
+void add_coverage_of_fits(std::vector<Case>& cases) {
+  for (const Design& design : designs) {
+    for (const std::size_t records : {7, 20, 44}) {
+      if (design.kind == Design::weighted && records == 7) continue;
+      Share median, log_std;
+      for (std::uint64_t i = 0; i < sets; ++i) {
+        const FitSummary fit = fit_of(design, records, 700000 + i);
+        if (!fit.converged()) continue;
+        median.add(fit.median_interval, 1.0);
+        log_std.add(fit.log_std_interval, true_log_std);
+      }
+      for (const auto& [quantity, share] :
+           {std::pair("median", median), std::pair("log_std", log_std)})
+        cases.push_back(within(
+            {std::to_string(records) + " records, " + design.name, quantity,
+             design.wide ? "nominal 95 %, wide" : "nominal 95 %"},
+            {"share of intervals that cover", share.value(), 0.93, design.wide ? 1.0 : 0.97}));
+    }
+  }
+}
+
+}  // namespace glissade::verification
