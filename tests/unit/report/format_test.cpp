@@ -5,6 +5,7 @@
 
 #include <limits>
 
+#include "glissade/fragility/goodness_of_fit.hpp"
 #include "glissade/report/figure.hpp"
 #include "glissade/report/table.hpp"
 
@@ -83,7 +84,13 @@ TEST(format_share, does_not_round_the_rare_to_never_nor_the_frequent_to_always) 
   EXPECT_EQ(format_share(0.0), "0 %");
   EXPECT_EQ(format_share(0.123), "12 %");
   EXPECT_EQ(format_share(0.996), "99.6 %");
+  EXPECT_EQ(format_share(0.9996), "> 99.9 %");
   EXPECT_EQ(format_share(1.0), "100 %");
+}
+
+TEST(format_p, is_a_bound_where_no_replicate_was_as_far) {
+  EXPECT_EQ(format_p(least_p_value), "p <= 0.005");
+  EXPECT_EQ(format_p(0.01), "p = 0.01");
 }
 
 TEST(format_exact, reads_back_as_the_same_double) {

@@ -71,7 +71,7 @@ TEST(shape_report, names_the_best_model_and_what_is_not_lognormal) {
   EXPECT_TRUE(differs_clearly(first, ShapeModel::two_part));
   EXPECT_FALSE(differs_clearly(first, ShapeModel::logit));
   EXPECT_FALSE(best_model(r.shape->runs[0].thresholds[1]));
-  EXPECT_THAT(answer_sentences(r), Contains(states("p = 0.005")));
+  EXPECT_THAT(answer_sentences(r), Contains(states("p <= 0.005")));
   EXPECT_THAT(summary_text(r), states("lognormal"));
 }
 

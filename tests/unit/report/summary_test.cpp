@@ -41,6 +41,19 @@ TEST(answer, of_a_clearance_never_exceeded_is_a_lower_bound) {
   EXPECT_THAT(answer_sentences(results)[3], states("S_DS = 2.50 g"));
 }
 
+TEST(summary, marks_an_assumed_log_std_and_names_medians_that_cross) {
+  Results results = made_up_results();
+  EXPECT_EQ(summary_text(results).find("cross"), std::string::npos);
+  std::vector<ThresholdFragility>& f = results.runs[0].fragilities;
+  f[1].capacities.curve.median = 0.95 * f[0].capacities.curve.median;
+  f[3].stripes = f[3].capacities = FitSummary{};
+  f[3].capacities.status = FitStatus::lower_bound;
+  f[3].capacities.curve = {2.5, 0.4};
+  EXPECT_THAT(summary_text(results),
+              states("Fitted medians that cross", format_length(f[0].threshold_m) + " at",
+                     format_length(f[1].threshold_m) + " at", "assumed 0.400"));
+}
+
 // 60 % slide freely: more than one half exceed at any intensity.
 TEST(answer, contains_the_share_that_slides_freely) {
   Results results = made_up_results();

@@ -20,7 +20,7 @@ std::string fit_text(const Results& results, const FitSummary& fit) {
   if (fit.converged()) {
     const std::string free =
         fit.curve.floor > 0 ? format_share(fit.curve.floor) + " slide freely; the others: " : "";
-    const char* beyond = fit.curve.median > results.levels.back() ? ", beyond the levels" : "";
+    const char* beyond = fit.status == FitStatus::extrapolated ? ", beyond the levels" : "";
     return fmt::format(
         "{}median {} [{}]{}, log std {}", free, with_unit(results, format_number(fit.curve.median)),
         format_interval(fit.median_interval), beyond, format_number(fit.curve.log_std));

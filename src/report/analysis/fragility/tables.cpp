@@ -26,7 +26,10 @@ SignedEstimate median_of(const FitSummary& fit) {
   return {{fit.curve.median, fit.median_interval}, sign};
 }
 
-Estimate log_std_of(const FitSummary& fit) { return {fit.curve.log_std, fit.log_std_interval}; }
+/// That of a bound is no result.
+SignedEstimate log_std_of(const FitSummary& fit) {
+  return {{fit.curve.log_std, fit.log_std_interval}, fit.is_bound() ? "assumed " : ""};
+}
 
 SignedEstimate p50_of(const FitSummary& fit) {
   return {{fit.curve.intensity_at(0.5), fit.p50_interval}, median_of(fit).sign};
@@ -45,19 +48,41 @@ double record_recross_share(const ThresholdFragility& fragility) {
 void add_fragility_row(Table& table, const RunResults& run, const ThresholdFragility& fragility,
                        const std::string& method, const FitSummary& fit) {
   table.add({run.label, fragility.threshold_m, method, median_of(fit), log_std_of(fit),
-             to_string(fit.status), fragility.lognormal.p_value, fragility.recross_share,
+             to_string(fit.status), p_cell(fragility.lognormal.p_value), fragility.recross_share,
              record_recross_share(fragility), fragility.censored_share, floor_of(fit), p50_of(fit),
              fit.interval_method, fit.note});
 }
 
 /// How the median came about, for people.
-std::string fit_label(const ThresholdFragility& fragility, double highest_level) {
-  const FitSummary& fit = preferred_fit(fragility);
-  const bool beyond = fit.converged() && fit.curve.median > highest_level;
-  return to_string(fit.status) + (beyond ? ", extrapolated beyond the levels" : "") +
+std::string fit_label(const ThresholdFragility& fragility) {
+  return to_string(preferred_fit(fragility).status) +
          (departs_from_lognormal(fragility.lognormal)
-              ? fmt::format(", not lognormal (p = {:.2g})", fragility.lognormal.p_value)
+              ? fmt::format(", not lognormal ({})", format_p(fragility.lognormal.p_value))
               : "");
+}
+
+/// Neighbouring clearances of which the larger one has the lower median.
+std::string crossing_note(const Results& results) {
+  std::vector<std::string> crossings;
+  for (const RunResults& run : results.runs) {
+    const ThresholdFragility* before = nullptr;
+    for (const ThresholdFragility& fragility : run.fragilities) {
+      if (!preferred_fit(fragility).converged()) continue;
+      const double median = preferred_fit(fragility).curve.intensity_at(0.5);
+      if (before != nullptr && median < preferred_fit(*before).curve.intensity_at(0.5))
+        crossings.push_back(fmt::format(
+            "{} at {}, {} at {}", format_length(before->threshold_m),
+            with_unit(results, format_number(preferred_fit(*before).curve.intensity_at(0.5))),
+            format_length(fragility.threshold_m), with_unit(results, format_number(median))));
+      before = &fragility;
+    }
+  }
+  if (crossings.empty()) return "";
+  return fmt::format(
+      "Fitted medians that cross, though a larger clearance is never exceeded sooner: {}{}. Where "
+      "curves are extrapolated or not lognormal the order of the histories holds, not theirs.",
+      crossings.front(),
+      crossings.size() > 1 ? fmt::format(" and {} more", crossings.size() - 1) : "");
 }
 
 double histories_per_level(const Results& results, const RunResults& run) {
@@ -133,8 +158,7 @@ Table fragility_summary_table(const Results& results) {
       largest_floor = std::max(largest_floor, fit.curve.floor);
       table.add({run.label, fragility.threshold_m, median_of(fit), log_std_of(fit), fit.curve.floor,
                  p50_of(fit), fragility.censored_share,
-                 &fit == &fragility.stripes ? "stripes" : "capacities",
-                 fit_label(fragility, results.levels.back())});
+                 &fit == &fragility.stripes ? "stripes" : "capacities", fit_label(fragility)});
     }
   }
   table = with_listed(results, table);
@@ -142,6 +166,7 @@ Table fragility_summary_table(const Results& results) {
   for (Column& column : table.columns)
     column.detail = column.stem == "method" || column.stem == "status";
   table.notes = friction_names(results);
+  if (const std::string note = crossing_note(results); !note.empty()) table.notes.push_back(note);
   if (largest_floor == 0.0) return table.without("free_sliding_share").without("p50");
   table.notes.push_back(
       least_floor == 1.0

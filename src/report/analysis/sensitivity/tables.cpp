@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <ranges>
+
 #include "analysis/sensitivity/sensitivity.hpp"
 #include "text/study_text.hpp"
 
@@ -71,6 +74,14 @@ Table spread_table(const Results& results) {
     }
   }
   table.notes = notes_on(found);
+  const bool noisy = std::ranges::any_of(capacity_rows(found), [](const SpreadRow* row) {
+    return std::ranges::any_of(std::views::iota(std::size_t{0}, row->total.size()),
+                               [&](std::size_t f) { return row->total[f] < row->first[f]; });
+  });
+  if (noisy)
+    table.notes.emplace_back(
+        "A share with interactions below that alone cannot be: the difference is the error of the "
+        "estimates. The factor interacts with no other that these samples show.");
   table.notes.emplace_back(
       "Capacities below the lowest level and above the highest are taken as these levels; the last "
       "columns are their shares.");

@@ -103,9 +103,9 @@ Panel panel_of(const Results& results, std::size_t threshold) {
       format_length(fragility.threshold_m) +
           (std::isnan(p)
                ? ""
-               : fmt::format(": {}largest gap {:.2f} (p = {:.2g})",
+               : fmt::format(": {}largest gap {:.2f} ({})",
                              departs_from_lognormal(fragility.lognormal) ? "not lognormal, " : "",
-                             std::abs(fragility.lognormal.largest_gap), p)),
+                             std::abs(fragility.lognormal.largest_gap), format_p(p))),
       {results.intensity_label, 0.0, results.levels.back()},
       {"Probability of exceedance", 0.0, 1.0}};
   panel.series = {interval_bars(results, fragility), lognormal(panel, fragility)};

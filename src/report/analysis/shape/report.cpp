@@ -20,13 +20,13 @@ std::string threshold_sentence(const Results& results, const ThresholdFragility&
   if (std::isnan(fit.p_value)) {
     text += "no test of the lognormal";
   } else if (departs_from_lognormal(fit)) {
-    text += fmt::format(
-        "not lognormal (p = {:.2g}): the observed share is {:.2f} {} the curve at {}", fit.p_value,
-        std::abs(fit.largest_gap), fit.largest_gap > 0.0 ? "above" : "below",
-        at_intensity(results, fit.gap_intensity));
+    text += fmt::format("not lognormal ({}): the observed share is {:.2f} {} the curve at {}",
+                        format_p(fit.p_value), std::abs(fit.largest_gap),
+                        fit.largest_gap > 0.0 ? "above" : "below",
+                        at_intensity(results, fit.gap_intensity));
   } else {
-    text +=
-        fmt::format("lognormal within {:.2f} (p = {:.2g})", std::abs(fit.largest_gap), fit.p_value);
+    text += fmt::format("lognormal within {:.2f} ({})", std::abs(fit.largest_gap),
+                        format_p(fit.p_value));
   }
   const auto best = best_model(shape);
   if (!best) return text + "; models not compared: " + to_string(shape.status) + ".";

@@ -79,7 +79,7 @@ Table shape_table(const Results& results) {
     for (std::size_t t = 0; t < results.thresholds_m.size(); ++t) {
       const GoodnessOfFit& fit = results.runs[r].fragilities[t].lognormal;
       const ThresholdShape& shape = results.shape->runs[r].thresholds[t];
-      table.add({results.runs[r].label, shape.threshold_m, fit.p_value, fit.largest_gap,
+      table.add({results.runs[r].label, shape.threshold_m, p_cell(fit.p_value), fit.largest_gap,
                  fit.gap_intensity, models_text(shape), std::ranges::max(shape.recrossed),
                  fit.distance, fit.correlation});
     }
