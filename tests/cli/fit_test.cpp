@@ -170,7 +170,7 @@ TEST_F(Fit, weights_give_the_effective_records) {
   std::string plain = "im_cap\n", ones = "im_cap,weight,record\n";
   for (const char* c : {"0.5", "0.6", "0.8", "0.9"}) {
     plain += std::string(c) + "\n";
-    ones += std::string(c) + ",0.1,RSN" + c + "\n";
+    ones += std::string(c) + ",2,RSN" + c + "\n";
   }
   EXPECT_EQ(fit_json({"--capacities", folder_.write("plain.csv", plain)}),
             fit_json({"--capacities", folder_.write("ones.csv", ones)}));
