@@ -27,9 +27,4 @@ void check_project(const std::filesystem::path& file, const std::filesystem::pat
 /// Throws InputError where a calculation cannot begin in the folder.
 void check_calculation_folder(const std::filesystem::path& out, bool overwrite);
 
-/// An error that root has already reported; every rank leaves with this status.
-struct ExitStatus {
-  int status = 0;
-};
-
 }  // namespace glissade::cli

@@ -4,6 +4,7 @@
 #include "commands.hpp"
 #include "glissade/core/error.hpp"
 #include "glissade/io/study_grammar.hpp"
+#include "put.hpp"
 
 namespace glissade::cli {
 
@@ -21,7 +22,7 @@ void add_explain(CLI::App& program) {
   command->add_flag("--markdown", o->markdown, "print the page studies/GRAMMAR.md");
   command->callback([o] {
     if (o->markdown) {
-      fmt::print("{}", grammar_page());
+      put("{}", grammar_page());
       return;
     }
     const std::string text = grammar_text(o->key);
@@ -33,7 +34,7 @@ void add_explain(CLI::App& program) {
                             "--example` those of a project",
                         ""});
     }
-    fmt::print("{}", text);
+    put("{}", text);
   });
 }
 

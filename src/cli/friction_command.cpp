@@ -11,6 +11,7 @@
 #include "glissade/io/pull_test_file.hpp"
 #include "glissade/report/friction_report.hpp"
 #include "output_rule.hpp"
+#include "put.hpp"
 
 namespace glissade::cli {
 namespace {
@@ -80,11 +81,10 @@ Json to_json(const PullTestSummary& summary) {
 }
 
 void print(const PullTestSummary& summary) {
-  if (!summary.tests.empty()) fmt::print("{}\n", to_text(pull_tests_table(summary)));
-  fmt::print("{}", to_text(friction_table(summary)));
-  if (!summary.notes.empty()) fmt::print("\n");
-  for (const std::string& note : summary.notes)
-    fmt::print("note  {}\n", wrapped(note, terminal_width, 6));
+  if (!summary.tests.empty()) put("{}\n", to_text(pull_tests_table(summary)));
+  put("{}", to_text(friction_table(summary)));
+  if (!summary.notes.empty()) put("\n");
+  for (const std::string& note : summary.notes) put("note  {}\n", wrapped(note, terminal_width, 6));
 }
 
 void run(const FrictionOptions& o) {
@@ -93,11 +93,11 @@ void run(const FrictionOptions& o) {
   const auto [tests, summary] = read_pull_test_results(o.tests, o.rule);
   if (!o.out.empty()) write_friction_report(tests, summary, o.out);
   if (o.json) {
-    fmt::print("{}\n", to_json(summary).dump(2));
+    put("{}\n", to_json(summary).dump(2));
     return;
   }
   print(summary);
-  if (!o.out.empty()) fmt::print("\nTables and figure   {}\n", o.out);
+  if (!o.out.empty()) put("\nTables and figure   {}\n", o.out);
 }
 
 }  // namespace

@@ -17,6 +17,7 @@
 #include "glissade/motion/improbable.hpp"
 #include "glissade/report/format.hpp"
 #include "output_rule.hpp"
+#include "put.hpp"
 
 namespace glissade::cli {
 namespace {
@@ -170,15 +171,15 @@ void init(InitOptions o) {
     file.set_numbers("intensity", "levels", levels_around(TargetSpectrum(*target).sds_g()));
     write_checked(o, file);
   }
-  fmt::print("File    {}\nValues of the example, not yours yet:\n{}", o.file, file.of_example());
+  put("File    {}\nValues of the example, not yours yet:\n{}", o.file, file.of_example());
   if (!o.is_project() && !o.has_site())
-    fmt::print("  {}\n", wrapped(fmt::format("intensity.target: none; {} needs a [target], or give "
-                                             "--ss-g and its site",
-                                             o.suite.empty() ? "the suite" : o.suite),
-                                 terminal_width, 4));
+    put("  {}\n", wrapped(fmt::format("intensity.target: none; {} needs a [target], or give "
+                                      "--ss-g and its site",
+                                      o.suite.empty() ? "the suite" : o.suite),
+                          terminal_width, 4));
   if (o.is_project())
-    fmt::print("Not stated, comments in the file: building.storeys, array, clearances, hazard\n");
-  fmt::print("Next    glissade check {}\n", o.file);
+    put("Not stated, comments in the file: building.storeys, array, clearances, hazard\n");
+  put("Next    glissade check {}\n", o.file);
 }
 
 }  // namespace

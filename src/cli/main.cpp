@@ -1,29 +1,23 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
+#include <tbb/global_control.h>
+#include <tbb/task_arena.h>
 
-#include <cerrno>
 #include <csignal>
-#include <cstdio>
+#include <sstream>
 #include <string_view>
-#include <system_error>
 
 #include "commands.hpp"
 #include "glissade/core/error.hpp"
-#include "glissade/core/not_converged.hpp"
 #include "glissade/io/written_number.hpp"
+#include "glissade/parallel/threads.hpp"
+#include "glissade/parallel/together.hpp"
 #include "help_formatter.hpp"
+#include "say.hpp"
 
 namespace {
 
-constexpr int input_error_status = 2;
-
-/// A full disk shows when the last of the output leaves the buffer.
-void flush_standard_output() {
-  if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return;
-  throw glissade::InputError({"standard output",
-                              "cannot be written: " + std::generic_category().message(errno),
-                              "make room on the disk or write elsewhere", ""});
-}
+using glissade::ExitStatus;
 
 /// The command that was reached, and its name as it is called: "suite show".
 std::pair<const CLI::App*, std::string> reached_command(const CLI::App& program) {
@@ -65,8 +59,8 @@ void refuse_empty_arguments(int argc, char** argv) {
   for (int i = 1; i < argc; ++i) {
     const std::string_view text = argv[i];
     if (!text.empty() && !(text.starts_with("--") && text.ends_with('='))) continue;
-    throw glissade::InputError({text.empty() && i > 1 ? argv[i - 1] : std::string(text),
-                                "is given an empty value", "give a value, or leave it out", ""});
+    throw CLI::ValidationError(text.empty() && i > 1 ? argv[i - 1] : std::string(text),
+                               "is given an empty value: give a value, or leave it out");
   }
 }
 
@@ -76,13 +70,21 @@ void take_units(CLI::App& command) {
     if (option->get_items_expected() == 0 || option->get_lnames().empty()) continue;
     const std::string name = "--" + option->get_lnames().front();
     option->transform(
-        [name](const std::string& text) { return glissade::number_in_unit_of(name, text); }, "");
+        [name](const std::string& text) {
+          try {
+            return glissade::number_in_unit_of(name, text);
+          } catch (const glissade::InputError& error) {
+            throw CLI::ValidationError(error.what());
+          }
+        },
+        "");
   }
   for (CLI::App* below : command.get_subcommands([](CLI::App*) { return true; }))
     take_units(*below);
 }
 
-int run_program(int argc, char** argv, const glissade::Communicator& world) {
+/// How the program ends, on every rank.
+ExitStatus run_program(int argc, char** argv, const glissade::Communicator& world) {
   CLI::App program{"glissade: slip fragility of unanchored rooftop solar arrays"};
   program.set_version_flag("--version", "glissade " GLISSADE_VERSION);
   program.require_subcommand(1);
@@ -102,52 +104,73 @@ int run_program(int argc, char** argv, const glissade::Communicator& world) {
   try {
     refuse_empty_arguments(argc, argv);
     program.parse(argc, argv);
-    flush_standard_output();
-    return 0;
-  } catch (const CLI::ParseError& error) {
-    const bool help_only = error.get_exit_code() == 0;  // --help, --version
-    if (!world.is_root()) return help_only ? 0 : input_error_status;
-    if (help_only) return program.exit(error);
+    return {};
+  } catch (const CLI::ParseError& error) {  // the ranks have the same arguments
+    if (error.get_exit_code() == 0) {       // --help, --version
+      std::ostringstream text;
+      program.exit(error, text);
+      if (world.is_root()) glissade::cli::write_result(text.str());
+      return {};
+    }
     const auto [reached, name] = reached_command(program);
-    fmt::print(stderr, "glissade: {}; see {} --help\n", message(*reached, error), name);
-    return input_error_status;
-  } catch (const glissade::cli::ExitStatus& exit) {
-    return exit.status;
+    return {2, fmt::format("{}; see {} --help", message(*reached, error), name)};
+  } catch (const ExitStatus& ending) {  // of a step of all ranks
+    return ending;
+  }
+}
+
+/// Says what there is to say at the end of the program; its exit status.
+int end_with(const ExitStatus& ending) {
+  if (!ending.message.empty()) glissade::cli::say("glissade: {}\n", ending.message);
+  try {
+    glissade::cli::end_of_results();
+    return ending.status;
   } catch (const glissade::InputError& error) {
-    fmt::print(stderr, "glissade: {}\n", error.what());
-    if (!world.is_root()) world.abort(input_error_status);  // the other ranks would wait for ever
-    return input_error_status;
-  } catch (const glissade::NotConverged& error) {  // `run` counts these
-    fmt::print(stderr, "glissade: the history did not converge: {}\n", error.what());
-    return input_error_status;
-  } catch (const std::bad_alloc&) {
-    fmt::print(
-        stderr,
-        "glissade: there is not enough memory for this; take fewer samples, levels or ranks\n");
-    if (world.size() > 1) world.abort(input_error_status);
-    return input_error_status;
+    if (ending.status == 0) glissade::cli::say("glissade: {}\n", error.what());
+    return ending.status == 0 ? 2 : ending.status;
+  }
+}
+
+/// The other commands are for one process.
+bool is_for_all_ranks(std::string_view command) {
+  return command == "run" || command == "merge" || command == "check" || command == "clearance";
+}
+
+/// To those that the system starts.
+void limit_threads() {
+  const int wanted = tbb::this_task_arena::max_concurrency();
+  const int threads = glissade::startable_threads(wanted);
+  if (threads == wanted) return;
+  // Never removed: oneTBB would start the others then.
+  static const auto* const limit = new tbb::global_control(
+      tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads));
+  static_cast<void>(limit);
+}
+
+int run_on(const glissade::Communicator& world, int argc, char** argv) {
+  try {
+    if (world.size() == 1) limit_threads();  // ranks do so where they start them
+    const ExitStatus ending = run_program(argc, argv, world);
+    return world.is_root() ? end_with(ending) : ending.status;
+  } catch (...) {
+    ExitStatus ending = glissade::exit_status_of_exception();
+    if (world.rank() > 0) ending.message = fmt::format("rank {}: {}", world.rank(), ending.message);
+    const int status = end_with(ending);
+    if (world.size() > 1) world.abort(status);  // the others would wait for this one for ever
+    return status;
   }
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
+  glissade::cli::take_standard_files();
   std::signal(SIGXFSZ, SIG_IGN);  // a file-size limit becomes a write error, which is reported
   try {
     const glissade::MpiSession mpi(argc, argv);
-    const glissade::Communicator world = mpi.world();
-    const std::string_view command = argc > 1 ? argv[1] : "run";
-    if (!world.is_root() && command != "run" && command != "merge" && command != "check" &&
-        command != "clearance")
-      return 0;  // the other commands are for one
-    try {
-      return run_program(argc, argv, world);
-    } catch (const std::exception& error) {
-      fmt::print(stderr, "glissade: internal error: {}\n", error.what());
-      world.abort(1);
-    }
-  } catch (const std::exception& error) {
-    fmt::print(stderr, "glissade: internal error: {}\n", error.what());
-    return 1;
+    if (is_for_all_ranks(argc > 1 ? argv[1] : "run")) return run_on(mpi.world(), argc, argv);
+    return mpi.world().is_root() ? run_on(glissade::Communicator::serial(), argc, argv) : 0;
+  } catch (...) {
+    return end_with(glissade::exit_status_of_exception());
   }
 }

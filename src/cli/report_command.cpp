@@ -12,6 +12,7 @@
 #include "glissade/report/write_report.hpp"
 #include "glissade/study/run/reduce.hpp"
 #include "output_rule.hpp"
+#include "put.hpp"
 #include "run/run_record.hpp"
 
 namespace glissade::cli {
@@ -70,7 +71,7 @@ void add_report(CLI::App& program) {
   add_overwrite(*command, o->overwrite);
   command->callback([o] {
     check_folder(*o);
-    fmt::print("{}\nReport   {}\n", report_again(*o), (o->folder() / "report.html").string());
+    put("{}\nReport   {}\n", report_again(*o), (o->folder() / "report.html").string());
   });
 }
 

@@ -15,6 +15,7 @@
 #include "glissade/report/format.hpp"
 #include "glissade/report/standards_tables.hpp"
 #include "glissade/sampling/pull_test.hpp"
+#include "put.hpp"
 
 namespace glissade::cli {
 namespace {
@@ -145,22 +146,22 @@ void run(const StandardsOptions& o) {
                     {"separations", to_json(asce.separations)},
                     {"seaoc_pv1_2012", to_json(seaoc)},
                     {"asce7_16", to_json(asce)}};
-    fmt::print("{}\n", json.dump(2));
+    put("{}\n", json.dump(2));
     return;
   }
-  fmt::print("Prescribed displacement of an unanchored array at S_DS = {:g} g, in plan\n", o.sds_g);
+  put("Prescribed displacement of an unanchored array at S_DS = {:g} g, in plan\n", o.sds_g);
   for (const std::string& warning : warnings_on(o))
-    fmt::print("{}\n", wrapped("WARNING: " + warning, terminal_width, 2));
-  fmt::print("{}\n", to_text(displacements_table(provisions)));
+    put("{}\n", wrapped("WARNING: " + warning, terminal_width, 2));
+  put("{}\n", to_text(displacements_table(provisions)));
   std::vector<StandardSeparations> separations;
   for (const Provision& p : provisions)
     if (!p.separations.empty()) separations.emplace_back(p.standard, p.separations);
-  if (!separations.empty()) fmt::print("{}\n", to_text(separations_table(separations)));
-  fmt::print("{}\n", to_text(conditions_table(o.array)));
+  if (!separations.empty()) put("{}\n", to_text(separations_table(separations)));
+  put("{}\n", to_text(conditions_table(o.array)));
   for (const std::string& note :
        {analysis_provision(Standard::asce7_16), analysis_provision(Standard::seaoc_pv1_2012),
         pull_test_provision()})
-    fmt::print("note  {}\n", wrapped(note, terminal_width, 6));
+    put("note  {}\n", wrapped(note, terminal_width, 6));
 }
 
 }  // namespace

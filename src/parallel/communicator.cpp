@@ -4,11 +4,10 @@
 #define OMPI_SKIP_MPICXX
 #include <mpi.h>
 #include <sched.h>
-#include <sys/statvfs.h>
 
 #include <algorithm>
+#include <array>
 #include <chrono>
-#include <cstdio>
 #include <cstdlib>
 #include <filesystem>
 #include <stdexcept>
@@ -17,6 +16,7 @@
 
 #include "glissade/core/bytes.hpp"
 #include "glissade/core/error.hpp"
+#include "glissade/parallel/together.hpp"
 
 namespace glissade {
 
@@ -24,7 +24,6 @@ namespace glissade {
 struct Communicator::State {
   MPI_Comm group = MPI_COMM_NULL;
   int rank = 0, size = 1;
-  std::function<void()> before_abort;
   std::vector<MPI_Win> shared_memory;             ///< of `on_each_machine`
   std::vector<std::shared_ptr<const void>> kept;  ///< where that is not possible
 };
@@ -61,14 +60,23 @@ void in_pieces(std::span<char> bytes, Transfer transfer) {
 
 }  // namespace
 
-void Communicator::broadcast(std::vector<char>& bytes) const {
+int Communicator::first_where(bool holds) const {
+  int first = holds ? rank() : size();
+  if (size() == 1) return first;
+  MPI_Request request = MPI_REQUEST_NULL;
+  MPI_Iallreduce(MPI_IN_PLACE, &first, 1, MPI_INT, MPI_MIN, state_->group, &request);
+  wait_quietly(request);
+  return first;
+}
+
+void Communicator::broadcast(std::vector<char>& bytes, int from) const {
   if (size() == 1) return;
   std::uint64_t count = bytes.size();
   MPI_Request request = MPI_REQUEST_NULL;
-  MPI_Ibcast(&count, 1, MPI_UINT64_T, 0, state_->group, &request);
+  MPI_Ibcast(&count, 1, MPI_UINT64_T, from, state_->group, &request);
   wait_quietly(request);
-  bytes.resize(count);
-  in_pieces(bytes, [&](char* data, int n) { MPI_Bcast(data, n, MPI_CHAR, 0, state_->group); });
+  together(*this, [&] { bytes.resize(count); });
+  in_pieces(bytes, [&](char* data, int n) { MPI_Bcast(data, n, MPI_CHAR, from, state_->group); });
 }
 
 namespace {
@@ -91,16 +99,52 @@ struct Machines {
   bool is_first() const { return first_ranks != MPI_COMM_NULL; }
 };
 
-/// On every machine. Open MPI makes shared memory in /dev/shm, and a rank that cannot is waited for
-/// by the others for ever; containers have 64 MB.
-bool shared_memory_has_room_for(double bytes, MPI_Comm group) {
-  struct statvfs space {};
-  int has_room =
-      statvfs("/dev/shm", &space) != 0 ||
-      static_cast<double>(space.f_bavail) * static_cast<double>(space.f_frsize) > bytes + 16e6;
-  MPI_Allreduce(MPI_IN_PLACE, &has_room, 1, MPI_INT, MPI_LAND, group);
-  return has_room != 0;
+/// A folder in memory, which every Linux has; containers have 64 MB of it.
+constexpr const char* usual_shared_memory = "/dev/shm";
+/// Open MPI makes the files of shared memory in these folders.
+constexpr const char* folder_of_windows = "OMPI_MCA_osc_sm_backing_directory";
+constexpr const char* folders_of_shared_memory[] = {folder_of_windows,
+                                                    "OMPI_MCA_osc_rdma_backing_directory",
+                                                    "OMPI_MCA_btl_vader_backing_directory"};
+
+std::string shared_memory() {
+  const char* const stated = std::getenv(folder_of_windows);
+  return stated == nullptr ? usual_shared_memory : stated;
 }
+
+/// Beside what Open MPI has in it for itself.
+bool has_room_for(double bytes, const std::filesystem::path& folder) {
+  std::error_code error;
+  const std::filesystem::space_info space = std::filesystem::space(folder, error);
+  return error || static_cast<double>(space.available) > bytes + 16e6;
+}
+
+/// A rank that cannot make a window is waited for by the others for ever: an exception, which is
+/// none of a step of them all, ends them.
+void check_window(int code) {
+  if (code == MPI_SUCCESS) return;
+  std::array<char, MPI_MAX_ERROR_STRING> text{};
+  int length = 0;
+  MPI_Error_string(code, text.data(), &length);
+  const std::string folder = shared_memory();
+  throw InputError(
+      {folder, "MPI cannot make memory there that the ranks share: " + std::string(text.data()),
+       "make room in " + folder + ", or in the folder of temporary files (TMPDIR)", ""});
+}
+
+/// Errors of MPI end all ranks, with words that are MPI's own; in this scope they are returned.
+class ReturnedErrors {
+ public:
+  explicit ReturnedErrors(MPI_Comm group) : group_(group) {
+    MPI_Comm_set_errhandler(group_, MPI_ERRORS_RETURN);
+  }
+  ~ReturnedErrors() { MPI_Comm_set_errhandler(group_, MPI_ERRORS_ARE_FATAL); }
+  ReturnedErrors(const ReturnedErrors&) = delete;
+  ReturnedErrors& operator=(const ReturnedErrors&) = delete;
+
+ private:
+  MPI_Comm group_;
+};
 
 /// A window of the machine's first rank, which all its ranks can read.
 std::span<std::byte> allocate_on_machine(std::size_t count, const Machines& machines,
@@ -108,7 +152,10 @@ std::span<std::byte> allocate_on_machine(std::size_t count, const Machines& mach
   std::byte* data = nullptr;
   MPI_Aint bytes = machines.is_first() ? static_cast<MPI_Aint>(count) : 0;
   int unit = 1;
-  MPI_Win_allocate_shared(bytes, unit, MPI_INFO_NULL, machines.mine, &data, window);
+  {
+    const ReturnedErrors returned(machines.mine);
+    check_window(MPI_Win_allocate_shared(bytes, unit, MPI_INFO_NULL, machines.mine, &data, window));
+  }
   MPI_Win_shared_query(*window, 0, &bytes, &unit, &data);
   return {data, count};
 }
@@ -129,8 +176,9 @@ std::span<const std::byte> Communicator::bytes_on_each_machine(
     in_pieces({reinterpret_cast<char*>(copy.data()), copy.size()},
               [&](char* data, int n) { MPI_Bcast(data, n, MPI_CHAR, 0, group); });
   };
-  if (!shared_memory_has_room_for(static_cast<double>(count), state_->group)) {
-    const auto own = std::make_shared<std::vector<std::byte>>(count);
+  if (first_where(!has_room_for(static_cast<double>(count), shared_memory())) < size()) {
+    std::shared_ptr<std::vector<std::byte>> own;
+    together(*this, [&] { own = std::make_shared<std::vector<std::byte>>(count); });
     keep(own);
     broadcast_into(*own, state_->group);
     return *own;
@@ -144,26 +192,6 @@ std::span<const std::byte> Communicator::bytes_on_each_machine(
   return copy;
 }
 
-namespace {
-
-void send_to_root(MPI_Comm group, std::vector<char> bytes) {
-  const std::uint64_t count = bytes.size();
-  MPI_Send(&count, 1, MPI_UINT64_T, 0, 0, group);
-  in_pieces(bytes, [&](char* data, int n) { MPI_Send(data, n, MPI_CHAR, 0, 1, group); });
-}
-
-std::vector<char> receive_from(MPI_Comm group, int rank) {
-  std::uint64_t count = 0;
-  MPI_Recv(&count, 1, MPI_UINT64_T, rank, 0, group, MPI_STATUS_IGNORE);
-  std::vector<char> bytes(count);
-  in_pieces(bytes, [&](char* data, int n) {
-    MPI_Recv(data, n, MPI_CHAR, rank, 1, group, MPI_STATUS_IGNORE);
-  });
-  return bytes;
-}
-
-}  // namespace
-
 std::vector<std::vector<char>> Communicator::gather(const std::vector<char>& bytes) const {
   std::vector<std::vector<char>> all;
   if (is_root()) all.push_back(bytes);
@@ -173,25 +201,94 @@ std::vector<std::vector<char>> Communicator::gather(const std::vector<char>& byt
   return all;
 }
 
+namespace {
+
+/// The messages of one rank to root: the size of each, to which root says whether it takes it, and
+/// then the message; `no_more` in place of a size ends them.
+class MessagesToRoot {
+ public:
+  MessagesToRoot(MPI_Comm group, int rank) : group_(group), rank_(rank) {}
+
+  void send(std::uint64_t count, const std::function<std::vector<char>()>& next) const {
+    try {
+      for (; count > 0; --count)
+        if (!send_one(next())) return;
+    } catch (...) {
+      send_size(no_more);
+      throw;
+    }
+    send_size(no_more);
+  }
+  /// Until there are no more, or `take` throws.
+  void receive(const std::function<void(std::vector<char>)>& take) const {
+    for (std::uint64_t size = receive_size(); size != no_more; size = receive_size()) {
+      std::vector<char> bytes;
+      try {
+        bytes.resize(size);
+      } catch (...) {
+        answer(false);
+        throw;
+      }
+      answer(true);
+      in_pieces(bytes, [&](char* data, int n) {
+        MPI_Recv(data, n, MPI_CHAR, rank_, 2, group_, MPI_STATUS_IGNORE);
+      });
+      try {
+        take(std::move(bytes));
+      } catch (...) {
+        refuse();
+        throw;
+      }
+    }
+  }
+  /// All that are still to come.
+  void refuse() const {
+    if (receive_size() != no_more) answer(false);
+  }
+
+ private:
+  static constexpr std::uint64_t no_more = ~std::uint64_t{0};
+
+  bool send_one(std::vector<char> bytes) const {
+    send_size(bytes.size());
+    char is_taken = 0;
+    MPI_Recv(&is_taken, 1, MPI_CHAR, 0, 1, group_, MPI_STATUS_IGNORE);
+    if (is_taken == 0) return false;
+    in_pieces(bytes, [&](char* data, int n) { MPI_Send(data, n, MPI_CHAR, 0, 2, group_); });
+    return true;
+  }
+  void send_size(std::uint64_t size) const { MPI_Send(&size, 1, MPI_UINT64_T, 0, 0, group_); }
+  std::uint64_t receive_size() const {
+    std::uint64_t size = 0;
+    MPI_Recv(&size, 1, MPI_UINT64_T, rank_, 0, group_, MPI_STATUS_IGNORE);
+    return size;
+  }
+  void answer(bool is_taken) const {
+    const char answer = is_taken ? 1 : 0;
+    MPI_Send(&answer, 1, MPI_CHAR, rank_, 1, group_);
+  }
+
+  MPI_Comm group_;
+  int rank_;
+};
+
+}  // namespace
+
 void Communicator::collect(std::uint64_t count, const std::function<std::vector<char>()>& next,
                            const std::function<void(std::vector<char>)>& receive) const {
-  if (!is_root()) {
-    MPI_Send(&count, 1, MPI_UINT64_T, 0, 0, state_->group);
-    for (; count > 0; --count) send_to_root(state_->group, next());
-    return;
-  }
-  for (int rank = 1; rank < size(); ++rank) {
-    MPI_Recv(&count, 1, MPI_UINT64_T, rank, 0, state_->group, MPI_STATUS_IGNORE);
-    for (; count > 0; --count) receive(receive_from(state_->group, rank));
-  }
-}
-
-void Communicator::before_abort(std::function<void()> clean_up) const {
-  state_->before_abort = std::move(clean_up);
+  together(*this, [&] {
+    if (!is_root()) return MessagesToRoot(state_->group, rank()).send(count, next);
+    int from = 1;
+    try {
+      for (; from < size(); ++from) MessagesToRoot(state_->group, from).receive(receive);
+    } catch (...) {
+      for (++from; from < size(); ++from) MessagesToRoot(state_->group, from).refuse();
+      throw;
+    }
+  });
 }
 
 void Communicator::abort(int exit_status) const {
-  if (state_->before_abort) state_->before_abort();
   if (size() > 1) MPI_Abort(state_->group, exit_status);
   std::exit(exit_status);
 }
@@ -220,8 +317,9 @@ Communicator::Ticket Communicator::make_ticket() const {
   if (size() > 1) {
     state->group = state_->group;
     const MPI_Aint bytes = is_root() ? sizeof(std::uint64_t) : 0;
-    MPI_Win_allocate(bytes, sizeof(std::uint64_t), MPI_INFO_NULL, state->group, &state->counter,
-                     &state->window);
+    const ReturnedErrors returned(state->group);
+    check_window(MPI_Win_allocate(bytes, sizeof(std::uint64_t), MPI_INFO_NULL, state->group,
+                                  &state->counter, &state->window));
     MPI_Win_lock_all(0, state->window);
     if (is_root()) *state->counter = 0;
     MPI_Win_sync(state->window);
@@ -254,34 +352,23 @@ Communicator::Ticket::~Ticket() {
   MPI_Win_free(&state_->window);
 }
 
-namespace {
-
-/// Stack unwinding would wait until the other ranks have finished all their work.
-[[noreturn]] void end_all(const Communicator& world, const char* what, int exit_status) {
-  std::fprintf(stderr, "glissade: rank %d: %s\n", world.rank(), what);
-  world.abort(exit_status);
-}
-
-}  // namespace
-
 void self_schedule(const Communicator& world, std::uint64_t count,
                    const std::function<void(std::uint64_t)>& work,
                    const std::function<bool()>& stop) {
   Communicator::Ticket ticket = world.make_ticket();
-  while (true) {
+  together(world, [&] {
     try {
-      if (stop()) return ticket.close(count);
-      const std::uint64_t item = ticket.next();
-      if (item >= count) return;
-      work(item);
-    } catch (const InputError& error) {
-      if (world.size() > 1) end_all(world, error.what(), 2);
-      throw;
-    } catch (const std::exception& error) {
-      if (world.size() > 1) end_all(world, error.what(), 1);
+      while (!stop()) {
+        const std::uint64_t item = ticket.next();
+        if (item >= count) return;
+        work(item);
+      }
+    } catch (...) {
+      ticket.close(count);
       throw;
     }
-  }
+    ticket.close(count);
+  });
 }
 
 std::vector<std::vector<double>> numbered_parts(std::size_t count,
@@ -317,13 +404,15 @@ struct LentProcessors::Processors {
 LentProcessors::LentProcessors(const Communicator& world) {
   if (world.size() == 1) return;
   const Machines machines(world.state_->group);
-  MPI_Comm_size(machines.mine, &ranks_);
+  int ranks = 1;
+  MPI_Comm_size(machines.mine, &ranks);
   cpu_set_t mine, all;
   CPU_ZERO(&mine);
   CPU_ZERO(&all);
   sched_getaffinity(0, sizeof mine, &mine);
   MPI_Reduce(&mine, &all, sizeof mine, MPI_BYTE, MPI_BOR, 0, machines.mine);
   if (!world.is_root()) return;
+  threads_ = std::min(ranks, CPU_COUNT(&all));
   own_ = std::make_unique<Processors>(mine);
   sched_setaffinity(0, sizeof all, &all);
 }
@@ -351,6 +440,18 @@ void leave_out_networks_on_one_machine() {
     setenv("OMPI_MCA_pml", "ob1", /*overwrite=*/0);
 }
 
+/// Where /dev/shm has no room for its files, Open MPI ends without a word of it.
+void leave_a_full_shared_memory() {
+  constexpr double bytes_of_rank = 5e6;
+  const char* const here = std::getenv("OMPI_COMM_WORLD_LOCAL_SIZE");
+  const double needed = bytes_of_rank * (here == nullptr ? 1.0 : std::atof(here));
+  std::error_code error;
+  const std::filesystem::path other = std::filesystem::temp_directory_path(error);
+  if (has_room_for(needed, usual_shared_memory) || error || !has_room_for(needed, other)) return;
+  for (const char* folder : folders_of_shared_memory)
+    setenv(folder, other.c_str(), /*overwrite=*/0);
+}
+
 }  // namespace
 
 MpiSession::MpiSession(int& argc, char**& argv) : world_(std::make_shared<Communicator::State>()) {
@@ -360,6 +461,7 @@ MpiSession::MpiSession(int& argc, char**& argv) : world_(std::make_shared<Commun
   if (!set("OMPI_COMM_WORLD_SIZE") && !set("PMIX_RANK") && !set("PMI_RANK")) return;
   leave_out_ucx_without_its_devices();
   leave_out_networks_on_one_machine();
+  leave_a_full_shared_memory();
   int provided = 0;  // threads of this program make no calls of MPI
   if (MPI_Init_thread(&argc, &argv, MPI_THREAD_FUNNELED, &provided) != MPI_SUCCESS)
     throw std::runtime_error("MPI_Init failed");

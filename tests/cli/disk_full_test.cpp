@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <fcntl.h>
 #include <gmock/gmock.h>
+#include <stdlib.h>
+#include <unistd.h>
 
 #include "cli/child.hpp"
+#include "cli/killed_run.hpp"
 #include "cli/small_study.hpp"
 
 namespace glissade::test {
@@ -25,12 +29,58 @@ TEST_F(DiskFull, a_history_on_a_full_disk_is_reported) {
                  {"/dev/full", "No space left on device", "make room"});
 }
 
-TEST_F(DiskFull, a_full_standard_output_is_reported) {
-  for (const std::string& command :
-       {slide_ + "--json", slide_, std::string("\"$0\" standards --sds-g 1 --json")}) {
-    expect_refused(run_shell(command + " >/dev/full"),
+TEST_F(DiskFull, a_standard_output_that_is_full_or_closed_is_reported_by_every_command) {
+  const std::string study = "'" + folder_.write("study.toml", small_study()) + "'";
+  const std::string suite = GLISSADE_SOURCE_DIR "/suites/synthetic_level0.toml";
+  for (const std::string& arguments :
+       {std::string("--version"), std::string("--help"), std::string("run --help"),
+        std::string("explain"), std::string("explain mu"), std::string("clearance --example"),
+        std::string("standards --sds-g 1 --json"), "suite show " + suite, "check " + study,
+        "init --overwrite --suite " + suite + " '" + folder_.path("new.toml").string() + "'",
+        slide_.substr(5), slide_.substr(5) + "--json"}) {
+    SCOPED_TRACE(arguments);
+    expect_refused(run_shell("\"$0\" " + arguments + " >/dev/full"),
                    {"standard output", "No space left on device"});
+    expect_refused(run_shell("\"$0\" " + arguments + " >&-"),
+                   {"standard output", "Bad file descriptor"});
   }
+  EXPECT_EQ(run_shell("\"$0\" explain | head -1").err, "");  // the reader has what it wanted
+}
+
+TEST_F(DiskFull, messages_that_cannot_be_written_change_no_exit_status) {
+  const std::string study = "'" + folder_.write("study.toml", short_study()) + "'",
+                    out = "'" + folder_.path("out").string() + "'";
+  for (const char* to : {" 2>/dev/full", " 2>&-"}) {
+    SCOPED_TRACE(to);
+    EXPECT_EQ(run_shell("\"$0\" run" + std::string(to)).status, 2);
+    EXPECT_EQ(run_shell("\"$0\" run " + study + " --walltime-s 0.01 --out " + out + to).status, 75);
+    EXPECT_EQ(run_shell("\"$0\" run --resume " + out + to).status, 0);
+    fs::remove_all(folder_.path("out"));
+  }
+}
+
+// Files that it opens then must not be its standard output or error.
+TEST_F(DiskFull, a_run_whose_standard_files_are_closed_writes_the_same_results) {
+  const std::string study = folder_.write("study.toml", short_study()),
+                    out = folder_.path("out").string(), whole = folder_.path("whole").string();
+  ASSERT_EQ(run_program({"run", study, "--out", whole}).status, 0);
+  EXPECT_EQ(run_shell("\"$0\" run '" + study + "' --out '" + out + "' <&- >&- 2>&-").status, 2);
+  EXPECT_TRUE(read_file(out + "/results.h5") == read_file(whole + "/results.h5"));
+  EXPECT_THAT(read_file(out + "/run.json"), testing::HasSubstr("\"finished\""));
+  EXPECT_FALSE(fs::exists(out + "/journal"));
+}
+
+TEST_F(DiskFull, a_run_whose_terminal_is_gone_goes_on) {
+  const int terminal = ::posix_openpt(O_RDWR | O_NOCTTY | O_CLOEXEC);
+  ASSERT_TRUE(terminal >= 0 && ::grantpt(terminal) == 0 && ::unlockpt(terminal) == 0);
+  const std::string study = folder_.write("study.toml", longer_study()),
+                    out = folder_.path("out").string();
+  Child child({"/bin/sh", "-c",
+               "exec \"$0\" run '" + study + "' --out '" + out + "' 2>" + ::ptsname(terminal),
+               GLISSADE_PROGRAM});
+  EXPECT_TRUE(reaches(child, [&] { return some_units_are_done(out); }));
+  ::close(terminal);
+  EXPECT_EQ(child.wait().status, 0);
 }
 
 TEST_F(DiskFull, no_half_of_a_history_is_left) {

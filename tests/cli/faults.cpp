@@ -9,9 +9,11 @@
 //   FAULT_MEMORY=1                 no more memory once a file of these is flushed to the disk
 //   FAULT_CLOCK=1                  the time of day jumps by days between two calls
 //   FAULT_FREE_MB=10               so much room every disk has
+//   FAULT_THREADS=2                no thread can be started from the second on
 #include <dlfcn.h>
 #include <errno.h>
 #include <fcntl.h>
+#include <pthread.h>
 #include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -223,6 +225,15 @@ int statvfs(const char* __restrict path, struct statvfs* __restrict disk) noexce
   if (const long free_mb = number("FAULT_FREE_MB"); free_mb > 0)
     disk->f_bavail = static_cast<fsblkcnt_t>(free_mb) * 1000000 / disk->f_frsize;
   return status;
+}
+
+int pthread_create(pthread_t* thread, const pthread_attr_t* how, void* (*start)(void*),
+                   void* with) noexcept {
+  static const long from = number("FAULT_THREADS");
+  static std::atomic<long> threads = 0;
+  if (from > 0 && ++threads >= from) return EAGAIN;
+  using Next = int (*)(pthread_t*, const pthread_attr_t*, void* (*)(void*), void*);
+  return next<Next>("pthread_create")(thread, how, start, with);
 }
 
 int clock_gettime(clockid_t clock, timespec* now) noexcept {

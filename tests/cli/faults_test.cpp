@@ -22,12 +22,6 @@ namespace {
 namespace fs = std::filesystem;
 using testing::HasSubstr;
 
-/// A tenth of a second.
-std::string short_study() {
-  return replaced(replaced(small_study(), "samples = 8", "samples = 2"), "[building]",
-                  "[model]\naxes = 1\n\n[building]");
-}
-
 /// Every file of a folder and below it, by its name there: but run.json, which has times, and what
 /// could not be removed of a journal or of a file that was not finished.
 std::map<std::string, std::string> files_of(const fs::path& folder) {
@@ -376,6 +370,18 @@ TEST_F(Faults, a_dry_run_sees_that_the_disk_is_read_only) {
   EXPECT_THAT(child.out, HasSubstr("units"));  // the plan all the same
   EXPECT_THAT(child.err, testing::AllOf(HasSubstr("again"), HasSubstr("Read-only file system"),
                                         HasSubstr("--out")));
+}
+
+// A limit of processes or of address space.
+TEST_F(Faults, a_system_that_starts_no_thread_gives_the_same_results) {
+  const Finished child = run_with("FAULT_THREADS=1");
+  EXPECT_EQ(child.status, 0) << child.err;
+  EXPECT_EQ(child.err, "");
+  EXPECT_TRUE(read_file(again_ / "results.h5") == read_file(out() / "results.h5"));
+  const Finished report = run_shell("FAULT_THREADS=1 LD_PRELOAD=" GLISSADE_FAULTS_LIBRARY
+                                    " \"$0\" report --overwrite '" +
+                                    (again_ / "results.h5").string() + "'");
+  EXPECT_EQ(report.status, 0) << report.err;
 }
 
 TEST_F(Faults, a_clock_that_is_set_during_the_run_neither_stops_it_nor_changes_its_results) {

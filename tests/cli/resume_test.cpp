@@ -89,6 +89,11 @@ TEST_F(Resume, a_run_that_its_scheduler_warns_goes_on) {
   expect_resumed({study_});
 }
 
+TEST_F(Resume, a_run_whose_terminal_is_closed_goes_on) {
+  expect_stopped(ended_by(SIGHUP), "SIGHUP");
+  expect_resumed();
+}
+
 TEST_F(Resume, a_stop_file_stops_a_run_once) {
   expect_stopped(ended_by([&](const Child&) { folder_->write("again/stop", ""); }), "the file");
   EXPECT_FALSE(fs::exists(again_ / "stop"));

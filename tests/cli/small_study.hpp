@@ -43,6 +43,12 @@ compare = ["seaoc_pv1_2012"]
 )";
 }
 
+/// As small_study on one axis, two samples: a tenth of a second.
+inline std::string short_study() {
+  return replaced(replaced(small_study(), "samples = 8", "samples = 2"), "[building]",
+                  "[model]\naxes = 1\n\n[building]");
+}
+
 /// As small_study on one axis, ended where its samples are precise enough.
 inline std::string target_study() {
   return replaced(

@@ -87,21 +87,5 @@ TEST_F(Kills, ctrl_c_of_mpirun_loses_nothing) {
   expect_resumed_on(2);
 }
 
-TEST_F(Kills, a_rank_whose_disk_is_full_ends_the_run_which_goes_on) {
-  const std::vector<std::string> run{GLISSADE_PROGRAM, "run", study_, "--out", out_.string()};
-  std::vector<std::string> command{"mpirun", "-n", "1"};
-  command.insert(command.end(), run.begin(), run.end());
-  command.insert(command.end(),
-                 {":", "-n", "1", "-x", "LD_PRELOAD=" GLISSADE_FAULTS_LIBRARY, "-x",
-                  "FAULT_IN=journal/1-", "-x", "FAULT_ERRNO=28", "-x", "FAULT_FROM=5"});
-  command.insert(command.end(), run.begin(), run.end());
-  const Finished finished = run_child(command);
-  EXPECT_EQ(finished.status, 2) << finished.err;
-  EXPECT_THAT(finished.err, testing::HasSubstr("rank 1: "));
-  EXPECT_THAT(finished.err, testing::HasSubstr("journal/1-1.units"));
-  EXPECT_THAT(finished.err, testing::HasSubstr("No space left on device"));
-  expect_resumed_on(2);
-}
-
 }  // namespace
 }  // namespace glissade::test

@@ -29,6 +29,43 @@ class Mpi : public testing::Test {
   ScratchFolder folder_;
 };
 
+/// One of two ranks.
+struct OneRank {
+  int rank = 0;
+  std::vector<std::string> variables = {};  ///< "NAME=VALUE", beside faults.cpp
+  std::string folder = {};                  ///< where it starts; empty: here
+};
+
+/// On two ranks, of which one is in another place. Whoever waits for ever is killed, which is
+/// status 137.
+Finished run_on_two(const OneRank& one, const std::vector<std::string>& arguments) {
+  std::vector<std::string> command{"timeout", "-s", "KILL", "100", "mpirun"};
+  for (const int rank : {0, 1}) {
+    if (rank == 1) command.emplace_back(":");
+    command.insert(command.end(), {"-n", "1"});
+    if (rank == one.rank) {
+      if (!one.folder.empty()) command.insert(command.end(), {"-wdir", one.folder});
+      if (!one.variables.empty())
+        command.insert(command.end(), {"-x", "LD_PRELOAD=" GLISSADE_FAULTS_LIBRARY});
+      for (const std::string& variable : one.variables)
+        command.insert(command.end(), {"-x", variable});
+    }
+    command.emplace_back(GLISSADE_PROGRAM);
+    command.insert(command.end(), arguments.begin(), arguments.end());
+  }
+  return run_child(command);
+}
+
+/// Our message stands once among what mpirun says of the status itself.
+void expect_refused_once(const Finished& child, const std::string& part) {
+  EXPECT_EQ(child.status, 2) << child.err;
+  EXPECT_EQ(child.out.find("glissade: "), std::string::npos);
+  const std::size_t first = child.err.find("glissade: ");
+  ASSERT_NE(first, std::string::npos) << child.err;
+  EXPECT_EQ(child.err.find("glissade: ", first + 1), std::string::npos) << child.err;
+  EXPECT_THAT(child.err, testing::HasSubstr(part));
+}
+
 TEST_F(Mpi, one_two_three_and_seven_ranks_give_the_bytes_of_none) {
   // Samples enough that the ranks overtake one another.
   const std::string study =
@@ -46,16 +83,36 @@ TEST_F(Mpi, the_ranks_of_a_machine_store_the_samples_of_motions_once) {
   }
 }
 
+TEST_F(Mpi, a_step_that_fails_on_one_rank_fails_on_all_with_one_message) {
+  for (const char* ranks : {"2", "3"}) {
+    const Finished child =
+        run_child({"timeout", "-s", "KILL", "100", "mpirun", "-n", ranks, GLISSADE_FAILING_STEPS});
+    EXPECT_EQ(child.status, 0) << child.err;
+  }
+}
+
+/// Three ranks where the folders of shared memory are as the mounts make them.
+Finished run_with_mounts(const std::string& mounts, const std::string& study,
+                         const std::string& out, const std::string& options = "") {
+  return run_shell("timeout -s KILL 100 unshare --mount sh -c '" + mounts + " && mpirun " +
+                   options + " -n 3 " GLISSADE_PROGRAM " run " + study + " --out " + out + "'");
+}
+std::string mount_of(const std::string& folder, const std::string& size) {
+  return "mount -t tmpfs -o size=" + size + " tmpfs " + folder;
+}
+
 TEST_F(Mpi, a_machine_without_room_in_shared_memory_gives_the_same_bytes) {
   if (run_shell("unshare --mount true").status != 0) GTEST_SKIP() << "needs root: unshare --mount";
-  const std::string study = folder_.write("study.toml", small_study());
-  const std::string alone = results_on(0, study), out = folder_.path("little").string();
+  const std::string study = folder_.write("study.toml", short_study());
+  const std::string alone = results_on(0, study);
   ASSERT_FALSE(alone.empty());
-  const Finished child =
-      run_shell("unshare --mount sh -c 'mount -t tmpfs -o size=1M tmpfs /dev/shm && mpirun -n 3 " +
-                std::string(GLISSADE_PROGRAM) + " run " + study + " --out " + out + "'");
-  EXPECT_EQ(child.status, 0) << child.err;
-  EXPECT_TRUE(read_file(out + "/results.h5") == alone);
+  for (const std::string size : {"4k", "1M", "24M"}) {
+    const std::string out = folder_.path(size).string();
+    const Finished child = run_with_mounts(mount_of("/dev/shm", size), study, out);
+    EXPECT_EQ(child.status, 0) << size << child.err;
+    EXPECT_EQ(child.err, "");
+    EXPECT_TRUE(read_file(out + "/results.h5") == alone);
+  }
 }
 
 TEST_F(Mpi, a_target_error_ends_the_run_after_the_same_scramble_on_any_number_of_ranks) {
@@ -138,14 +195,104 @@ TEST_F(Mpi, more_ranks_than_units_of_work_give_the_same_bytes) {
     EXPECT_TRUE(results_on(ranks, study) == alone) << ranks << " ranks";
 }
 
-/// Our message stands once among what mpirun says of the status itself.
-void expect_refused_once(const Finished& child, const std::string& part) {
-  EXPECT_EQ(child.status, 2) << child.err;
-  EXPECT_EQ(child.out.find("glissade: "), std::string::npos);
-  const std::size_t first = child.err.find("glissade: ");
-  ASSERT_NE(first, std::string::npos) << child.err;
-  EXPECT_EQ(child.err.find("glissade: ", first + 1), std::string::npos) << child.err;
-  EXPECT_THAT(child.err, testing::HasSubstr(part));
+TEST_F(Mpi, a_machine_without_room_anywhere_for_shared_memory_says_so) {
+  if (run_shell("unshare --mount true").status != 0) GTEST_SKIP() << "needs root: unshare --mount";
+  const std::string study = folder_.write("study.toml", short_study());
+  const std::string small = folder_.path("small").string(), out = folder_.path("out").string();
+  std::filesystem::create_directory(small);
+  expect_refused_once(run_with_mounts(mount_of("/dev/shm", "4k") + " && " + mount_of(small, "4k"),
+                                      study, out, "-x TMPDIR=" + small),
+                      "make room in /dev/shm");
+}
+
+TEST_F(Mpi, a_journal_that_fails_on_one_rank_ends_all_with_one_message_and_loses_nothing) {
+  const std::string study =
+      folder_.write("study.toml", replaced(short_study(), "samples = 2", "samples = 128"));
+  const std::string alone = results_on(0, study), out = folder_.path("out").string();
+  ASSERT_FALSE(alone.empty());
+  for (const int rank : {0, 1}) {
+    const std::string name = "journal/" + std::to_string(rank) + "-";
+    for (const char* fault : {"FAULT_FROM=1", "FAULT_FROM=5", "FAULT_CALLS=fsync"}) {
+      SCOPED_TRACE(name + " " + fault);
+      std::vector<std::string> variables{"FAULT_IN=" + name, "FAULT_ERRNO=28", fault};
+      if (std::string(fault) == "FAULT_CALLS=fsync") variables.emplace_back("FAULT_FROM=1");
+      const Finished child = run_on_two({rank, variables}, {"run", study, "--out", out});
+      expect_refused_once(child, name + "1.units: cannot be ");
+      EXPECT_EQ(child.err.find("glissade: rank 1: ") != std::string::npos, rank == 1);
+      EXPECT_THAT(child.err, testing::HasSubstr("No space left on device"));
+      std::vector<std::string> again{"run", study, "--out", out};
+      if (std::filesystem::exists(out)) again = {"run", "--resume", out};
+      const Finished resumed = run_on(2, again);
+      EXPECT_EQ(resumed.status, 0) << resumed.err;
+      EXPECT_TRUE(read_file(out + "/results.h5") == alone);
+      std::filesystem::remove_all(out);
+    }
+  }
+}
+
+TEST_F(Mpi, what_the_first_rank_cannot_write_ends_all_with_one_message) {
+  const std::string study = folder_.write("study.toml", short_study());
+  const std::string out = folder_.path("out").string();
+  for (const char* file : {"out/journal/lock", "out/journal/run", "out/run.json", "out/results.h5",
+                           "out/tables", "out/figures", "out/report.html"}) {
+    SCOPED_TRACE(file);
+    expect_refused_once(
+        run_on_two({0, {std::string("FAULT_IN=") + file, "FAULT_ERRNO=28", "FAULT_FROM=1"}},
+                   {"run", study, "--out", out}),
+        "No space left on device");
+    std::filesystem::remove_all(out);
+  }
+}
+
+TEST_F(Mpi, memory_that_ends_on_one_rank_ends_all_or_is_enough) {
+  const std::string study = folder_.write("study.toml", short_study());
+  const std::string alone = results_on(0, study), out = folder_.path("out").string();
+  for (const int rank : {0, 1}) {
+    const Finished child =
+        run_on_two({rank, {"FAULT_MEMORY=1", "FAULT_IN=.units"}}, {"run", study, "--out", out});
+    if (child.status != 0) {
+      expect_refused_once(child, "memory");
+    } else {
+      EXPECT_TRUE(read_file(out + "/results.h5") == alone);
+    }
+    std::filesystem::remove_all(out);
+  }
+}
+
+// A rank in another folder does not see the files of the study, as one on another machine may not.
+TEST_F(Mpi, the_first_rank_alone_reads_the_files_of_a_study) {
+  const std::string elsewhere = folder_.path("elsewhere").string();
+  std::filesystem::create_directory(elsewhere);
+  folder_.write("pulls.csv", "direction,mu\nx,0.31\nx,0.28\nx,0.33\n");
+  folder_.write("hazard.csv", "sds_g,annual_rate\n0.2,0.01\n1,0.001\n3,0.0001\n");
+  std::filesystem::copy(GLISSADE_SOURCE_DIR "/suites/synthetic_level0.toml",
+                        folder_.path("suite.toml"));
+  std::string text =
+      replaced(small_study(), GLISSADE_SOURCE_DIR "/suites/synthetic_level0.toml", "suite.toml");
+  text = replaced(text, "mu = { mean = 0.3, std = 0.03 }", "file = \"pulls.csv\"");
+  folder_.write("study.toml", text + "[hazard]\ncurve = \"hazard.csv\"\ndesign_life_years = 25\n");
+  const std::string out = folder_.path("out").string();
+  const std::string here = "cd '" + folder_.path("").string() + "' && ";
+  const Finished alone = run_shell(here + "\"$0\" run study.toml --out alone");
+  ASSERT_EQ(alone.status, 0) << alone.err;
+  const std::vector<std::string> run{"run", "study.toml", "--out", out};
+  const std::filesystem::path before = std::filesystem::current_path();
+  std::filesystem::current_path(folder_.path(""));
+  const Finished child = run_on_two({1, {}, elsewhere}, run);
+  EXPECT_EQ(child.status, 0) << child.err;
+  EXPECT_TRUE(read_file(out + "/results.h5") == read_file(folder_.path("alone/results.h5")));
+  expect_refused_once(run_on_two({0, {}, elsewhere}, {"check", "study.toml"}),
+                      "study.toml: cannot be read");
+  std::filesystem::current_path(before);
+}
+
+TEST_F(Mpi, more_ranks_than_processors_say_nothing_of_threads) {
+  const std::string study = folder_.write("study.toml", short_study());
+  const Finished child =
+      run_child({"taskset", "-c", "0", "mpirun", "--bind-to", "none", "-n", "3", GLISSADE_PROGRAM,
+                 "run", study, "--out", folder_.path("out").string()});
+  EXPECT_EQ(child.status, 0);
+  EXPECT_EQ(child.err, "");
 }
 
 TEST_F(Mpi, an_input_error_is_reported_once_by_three_ranks) {
@@ -160,6 +307,9 @@ TEST_F(Mpi, an_input_error_is_reported_once_by_three_ranks) {
 TEST_F(Mpi, a_command_line_error_is_reported_once_by_three_ranks) {
   expect_refused_once(run_on(3, {"run"}), "study is required");
   expect_refused_once(run_on(3, {"slid"}), "did you mean slide?");
+  expect_refused_once(run_on(3, {"run", "s.toml", "--out", ""}), "--out: is given an empty value");
+  expect_refused_once(run_on(3, {"run", "s.toml", "--walltime-s", "5 in"}), "--walltime-s");
+  expect_refused_once(run_on(3, {"clearance"}), "no project file");
 }
 
 TEST_F(Mpi, a_results_folder_in_use_is_reported_once_by_three_ranks) {

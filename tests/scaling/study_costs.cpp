@@ -49,13 +49,13 @@ StudyCosts measure_here(const std::filesystem::path& study, const std::filesyste
   costs.motion_bytes = static_cast<double>(sizeof(double) * pack(suites).samples_mps2.size());
   Plan plan;
   costs.plan_s = core_seconds_of([&] {
-    plan = make_plan(config, std::move(suites), [&](std::size_t count, const Part& part) {
-      return compute_parts_here(count, [&](std::size_t i) {
-        std::vector<double> numbers;
-        costs.plan_parts_s.push_back(core_seconds_of([&] { numbers = part(i); }));
-        return numbers;
-      });
-    });
+    plan = begin_plan(config, std::move(suites));
+    std::vector<std::vector<double>> spectra_g(spectra_to_scale(plan));
+    for (std::size_t i = 0; i < spectra_g.size(); ++i)
+      costs.plan_parts_s.push_back(
+          core_seconds_of([&] { spectra_g[i] = spectrum_to_scale(plan, i); }));
+    scale_plan(plan, std::move(spectra_g));
+    finish_plan(plan);
   });
   costs.plan_s -= sum(costs.plan_parts_s);
   costs.name = study.stem().string();

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <filesystem>
 #include <vector>
 
+#include "glissade/io/text_files.hpp"
 #include "glissade/sampling/friction_statistics.hpp"
 #include "glissade/sampling/pull_test.hpp"
 
@@ -13,14 +13,14 @@ namespace glissade {
 /// logged sample, those of one test together and in order of time. Lines that begin with # are
 /// comments. Throws InputError with a message for each kind of wrong row, at the first such row:
 /// numbers that are none, time that goes back, normal force not above 0 ...
-std::vector<PullTest> read_pull_tests(const std::filesystem::path& file);
+std::vector<PullTest> read_pull_tests(const TextFile& file);
 
-/// Pull tests with what came out. The file may also be a sheet with a test in each row: a column mu,
-/// and test and direction if wanted; then there are no logs.
+/// Pull tests with what came out. The file may also be a sheet with a test in each row: a column
+/// mu, and test and direction if wanted; then there are no logs.
 struct PullTestResults {
   std::vector<PullTest> tests;
   PullTestSummary summary;
 };
-PullTestResults read_pull_test_results(const std::filesystem::path& file, const SlidingRule& rule);
+PullTestResults read_pull_test_results(const TextFile& file, const SlidingRule& rule);
 
 }  // namespace glissade

@@ -3,6 +3,7 @@
 
 #include <filesystem>
 
+#include "glissade/io/text_files.hpp"
 #include "glissade/study/config.hpp"
 
 namespace glissade {
@@ -12,6 +13,8 @@ namespace glissade {
 /// is wrong: unknown keys (and the nearest known one), values outside their range, settings that
 /// contradict each other.
 StudyConfig read_study(const std::filesystem::path& file);
+/// @param files those of the study, read before or now
+StudyConfig read_study(const std::filesystem::path& file, TextFiles& files);
 
 /// The study of finished results with other analyses. Throws InputError, beside what read_study()
 /// throws, where it differs from the text of the study that was run in more than the tables that

@@ -21,8 +21,11 @@ class Communicator {
   int size() const;
   bool is_root() const { return rank() == 0; }
 
-  /// Sends the bytes of rank 0 to all ranks.
-  void broadcast(std::vector<char>& bytes) const;
+  /// Sends the bytes of one rank to all. Collective.
+  void broadcast(std::vector<char>& bytes, int from = 0) const;
+  /// The lowest rank on which `holds`; size() where it holds on none. The ranks wait for the last
+  /// of them without work for their processors. Collective.
+  int first_where(bool holds) const;
   /// The values of rank 0 on all ranks, stored once on each machine (MPI-3 shared memory; on each
   /// rank where the machine has too little of it), until the session ends. Collective.
   template <class T>
@@ -40,13 +43,13 @@ class Communicator {
   /// Collects the bytes of all ranks on rank 0, by rank; empty on the others.
   std::vector<std::vector<char>> gather(const std::vector<char>& bytes) const;
   /// Rank 0 receives the messages of all other ranks, by rank, one at a time. A sender makes each,
-  /// `count` in all, when it is due; those of rank 0 are not made. Collective.
+  /// `count` in all, when it is due; those of rank 0 are not made. Where `next` or `receive`
+  /// throws, every rank throws the same, as `together` does. Collective.
   void collect(std::uint64_t count, const std::function<std::vector<char>()>& next,
                const std::function<void(std::vector<char>)>& receive) const;
-  /// Ends every rank at once (an error on one of them), after `clean_up` on this one.
+  /// Ends every rank at once: for an error of one of several ranks that is not of a step of them
+  /// all.
   [[noreturn]] void abort(int exit_status) const;
-  /// What abort() does first; in place of what was set before. It must not throw.
-  void before_abort(std::function<void()> clean_up) const;
 
   /// Self-scheduling: gives 0, 1, 2, ... once each over all ranks. Construction and destruction are
   /// collective.
@@ -80,8 +83,8 @@ class Communicator {
 
 /// Calls work(item) for every item below `count`, each on one rank, the next free one. Every rank
 /// calls `stop` before it takes an item: where it is true it takes none, and the others none but
-/// one that they have fetched ahead. Collective.
-/// An exception on one of several ranks ends them all, an InputError with status 2.
+/// one that they have fetched ahead. The same where `work` throws: then every rank throws, as
+/// `together` does, once all have ended what they had begun. Collective.
 void self_schedule(
     const Communicator& world, std::uint64_t count, const std::function<void(std::uint64_t)>& work,
     const std::function<bool()>& stop = [] { return false; });
@@ -104,12 +107,12 @@ class LentProcessors {
   ~LentProcessors();
   LentProcessors(const LentProcessors&) = delete;
   LentProcessors& operator=(const LentProcessors&) = delete;
-  /// The ranks of this machine.
-  int ranks() const { return ranks_; }
+  /// On root: one for each rank of its machine, but no more than it has processors.
+  int threads() const { return threads_; }
 
  private:
   struct Processors;
-  int ranks_ = 1;
+  int threads_ = 1;
   std::unique_ptr<Processors> own_;  ///< of rank 0, where it has borrowed others
 };
 

@@ -16,6 +16,7 @@
 #include "glissade/report/format.hpp"
 #include "glissade/study/plan/plan.hpp"
 #include "output_rule.hpp"
+#include "put.hpp"
 
 namespace glissade::cli {
 namespace {
@@ -49,9 +50,9 @@ Plan plan_of(const fs::path& file, const std::string& study, const Suite& suite)
 }
 
 void print_plan(const char* name, const Plan& plan) {
-  fmt::print("{:<12}{} records x {} cases x {} levels, roughly {:.0f} s on one core\n", name,
-             plan.records.size(), plan.cases.size(), plan.config.intensity.levels.size(),
-             std::ceil(plan.predicted_seconds()));
+  put("{:<12}{} records x {} cases x {} levels, roughly {:.0f} s on one core\n", name,
+      plan.records.size(), plan.cases.size(), plan.config.intensity.levels.size(),
+      std::ceil(plan.predicted_seconds()));
 }
 
 std::string range_text(const std::vector<double>& values) {
@@ -63,11 +64,11 @@ std::string range_text(const std::vector<double>& values) {
 /// What a wrong unit would show in.
 void print_inputs(const Project& project) {
   const ProjectBuilding& building = project.building;
-  fmt::print("{:<12}{}\n", "building",
-             wrapped(fmt::format("period {} s ({}), mass ratio {}", range_text(building.period_s),
-                                 building.period_basis, range_text(building.mass_ratio)),
-                     terminal_width, 12));
-  fmt::print("{:<12}slope {} degrees\n", "roof", range_text(project.slope_deg));
+  put("{:<12}{}\n", "building",
+      wrapped(fmt::format("period {} s ({}), mass ratio {}", range_text(building.period_s),
+                          building.period_basis, range_text(building.mass_ratio)),
+              terminal_width, 12));
+  put("{:<12}slope {} degrees\n", "roof", range_text(project.slope_deg));
   const std::vector<Separation> separations = separations_of(project.standard, 1.0);
   std::string at_hand;
   for (std::size_t i = 0; i < separations.size(); ++i) {
@@ -75,14 +76,12 @@ void print_inputs(const Project& project) {
       at_hand += fmt::format("{}{} {}", at_hand.empty() ? "" : ", ",
                              format_length(*project.available_m[i]), separations[i].what);
   }
-  if (!at_hand.empty())
-    fmt::print("{:<12}{}\n", "clearances", wrapped(at_hand, terminal_width, 12));
+  if (!at_hand.empty()) put("{:<12}{}\n", "clearances", wrapped(at_hand, terminal_width, 12));
 }
 
 void print_prescribed(const std::vector<PrescribedValue>& prescribed) {
   for (const PrescribedValue& value : prescribed) {
-    fmt::print(
-        "{:<16}{}\n", standard_name(value.standard),
+    put("{:<16}{}\n", standard_name(value.standard),
         wrapped(fmt::format("prescribes {}; {}", format_length(value.prescribed.value_m),
                             value.may_be_used() ? "the conditions known here (recalled) are met"
                                                 : "not met or not stated: " + value.not_met()),
@@ -116,21 +115,20 @@ void check_project(const fs::path& file, const fs::path& out) {
   if (record_files(project.suite).empty()) warnings.emplace_back(simulated_motions_warning);
   for (const DesignCheck& check : checks_before_analysis(project, suite.motions.size()))
     if (!check.is_met) warnings.push_back(not_met_text(check));
-  fmt::print("{:<12}{}\n", "project", wrapped(project.title.name, terminal_width, 12));
+  put("{:<12}{}\n", "project", wrapped(project.title.name, terminal_width, 12));
   for (const std::string& warning : warnings)
-    fmt::print("{}\n", wrapped("WARNING: " + warning, terminal_width, 2));
-  fmt::print("{:<12}S_DS {:.3f} g, S_D1 {:.3f} g, category {}\n", "site", site.sds_g, site.sd1_g,
-             category_text(project.site, site));
+    put("{}\n", wrapped("WARNING: " + warning, terminal_width, 2));
+  put("{:<12}S_DS {:.3f} g, S_D1 {:.3f} g, category {}\n", "site", site.sds_g, site.sd1_g,
+      category_text(project.site, site));
   print_inputs(project);
-  fmt::print("{:<12}mean {:.3f}, std {:.3f}, design {:.3f}\n", "friction", project.friction.mean,
-             project.friction.std, project.friction.design());
+  put("{:<12}mean {:.3f}, std {:.3f}, design {:.3f}\n", "friction", project.friction.mean,
+      project.friction.std, project.friction.design());
   print_prescribed(prescribed);
   print_plan("demand", demand);
   print_plan("probability", probability);
-  std::fflush(stdout);
   check_calculation_folder(out, false);
-  fmt::print("{:<12}{}: free\n{:<12}glissade clearance {}\n", "folder", out.string(), "next",
-             file.string());
+  put("{:<12}{}: free\n{:<12}glissade clearance {}\n", "folder", out.string(), "next",
+      file.string());
 }
 
 }  // namespace glissade::cli

@@ -21,6 +21,7 @@
 #include "glissade/io/suite_file.hpp"
 #include "glissade/report/package.hpp"
 #include "output_rule.hpp"
+#include "put.hpp"
 #include "run/run_folder.hpp"
 #include "run/run_study.hpp"
 
@@ -149,7 +150,7 @@ class Calculation {
              : options_.out.empty() ? fs::path("results") / file.stem()
                                     : fs::path(options_.out);
       if (resumes && is_finished_calculation(out_)) {
-        fmt::print("{} is finished: {}\n", out_.string(), (out_ / "package.html").string());
+        put("{} is finished: {}\n", out_.string(), (out_ / "package.html").string());
         throw ExitStatus{0};
       }
       project_ = read_project(file);
@@ -190,8 +191,8 @@ class Calculation {
                                      build_text()};
     write_package(package, out_);
     write_finished_calculation(identity_, package, world_.size(), out_);
-    fmt::print("{}\nPackage  {}   (print it from a browser)\n", package_screen(package),
-               (out_ / "package.html").string());
+    put("{}\nPackage  {}   (print it from a browser)\n", package_screen(package),
+        (out_ / "package.html").string());
   }
 
   /// A refused calculation that has nothing gives its folder back.
@@ -246,12 +247,13 @@ void add_clearance(CLI::App& program, const Communicator& world) {
       "`glissade check PROJECT` says what would run.");
   command->callback([o, world] {
     if (o->example) {
-      if (world.is_root()) fmt::print("{}", ExampleFile::project().text());
+      if (world.is_root()) put("{}", ExampleFile::project().text());
       return;
     }
     if (o->project.empty() && o->resume.empty())
-      throw InputError({"clearance", "no project file is given",
-                        "give one; `glissade clearance --example` prints one to begin with", ""});
+      throw CLI::ValidationError(
+          "clearance",
+          "no project file is given; `glissade clearance --example` prints one to begin with");
     Calculation(*o, world).run();
   });
 }

@@ -9,6 +9,7 @@
 #include "finding.hpp"
 #include "glissade/core/finite.hpp"
 #include "glissade/report/format.hpp"
+#include "put.hpp"
 
 namespace glissade::cli {
 namespace {
@@ -24,7 +25,7 @@ const char* key_of(ShapeModel model) {
 bool is_fitted(const ModelScore& model) { return !std::isnan(model.score); }
 
 void show(const char* name, const std::string& text) {
-  if (!text.empty()) fmt::print("{:<18} {}\n", name, text);
+  if (!text.empty()) put("{:<18} {}\n", name, text);
 }
 
 std::string any_text(FitStatus status) {
@@ -82,12 +83,11 @@ Json json_of(const FitOutput& output) {
 }
 
 void show_models(const ShapeComparison& comparison) {
-  fmt::print("models             {}; score: log likelihood of a record that the fit has not seen\n",
-             to_string(comparison.status));
+  put("models             {}; score: log likelihood of a record that the fit has not seen\n",
+      to_string(comparison.status));
   for (const ModelScore& model : comparison.models) {
     if (is_fitted(model))
-      fmt::print(
-          "  {:<22} score {:.5f}, less that of the lognormal {:+.5f} (standard error {:.5f})\n",
+      put("  {:<22} score {:.5f}, less that of the lognormal {:+.5f} (standard error {:.5f})\n",
           key_of(model.model), model.score, model.difference, model.standard_error);
   }
 }
@@ -95,19 +95,19 @@ void show_models(const ShapeComparison& comparison) {
 }  // namespace
 
 void print(const FitOutput& output, bool json) {
-  if (json) return fmt::print("{}\n", json_of(output).dump(2));
+  if (json) return put("{}\n", json_of(output).dump(2));
   const FitSummary& f = output.fit;
   std::vector<Finding> findings = findings_of(f);
   findings.push_back(effective_records(f.effective_records));
   const Table table = to_table("Lognormal fragility", findings);
-  fmt::print("{}", table.rows.empty() ? "Lognormal fragility: not fitted\n" : to_text(table));
+  put("{}", table.rows.empty() ? "Lognormal fragility: not fitted\n" : to_text(table));
   show("method", f.method);
   show("intervals", f.interval_method);
   const GoodnessOfFit& fit = output.lognormal;
   if (!std::isnan(fit.p_value))
-    fmt::print("goodness of fit    {}, largest gap {:.3g} at {:.4g}{}\n", format_p(fit.p_value),
-               fit.largest_gap, fit.gap_intensity,
-               departs_from_lognormal(fit) ? ": not lognormal" : "");
+    put("goodness of fit    {}, largest gap {:.3g} at {:.4g}{}\n", format_p(fit.p_value),
+          fit.largest_gap, fit.gap_intensity,
+          departs_from_lognormal(fit) ? ": not lognormal" : "");
   if (output.models) show_models(*output.models);
   show("status", to_string(f.status));
   show("note", f.note);
@@ -133,17 +133,16 @@ void print(const CloudSummary& cloud, bool json) {
       of["thresholds"].push_back({{"threshold", row.threshold}});
       of["thresholds"].back().update(to_json({{"p50", "", row.p50, row.p50_interval}}));
     }
-    return fmt::print("{}\n", of.dump(2));
+    return put("{}\n", of.dump(2));
   }
   std::vector<Finding> medians;
   for (const CloudMedian& row : cloud.medians)
     medians.push_back(
         {"p50", fmt::format("above {:g} at", row.threshold), row.p50, row.p50_interval});
   medians.push_back(effective);
-  fmt::print("{}\n{}\n{}",
-             to_text(to_table(fmt::format("Any slip: {}", any_text(f.any_status)), any)),
-             to_text(to_table(fmt::format("Size of slip: {}", size_text(f.size_status)), size)),
-             to_text(to_table("Intensity at which 50 % exceed", medians)));
+  put("{}\n{}\n{}", to_text(to_table(fmt::format("Any slip: {}", any_text(f.any_status)), any)),
+      to_text(to_table(fmt::format("Size of slip: {}", size_text(f.size_status)), size)),
+      to_text(to_table("Intensity at which 50 % exceed", medians)));
   show("status", f.has_curve() ? "two-part fit" : "no curve");
 }
 

@@ -5,7 +5,8 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <cstdio>
+
+#include "say.hpp"
 
 namespace glissade::cli {
 
@@ -34,15 +35,14 @@ void Progress::update(std::uint64_t done_units) {
   last_ = now;
   const std::string text = line(std::min(done_units, total_units_));
   if (terminal_) {
-    fmt::print(stderr, "\r\033[K{}", text);
+    say("\r\033[K{}", text);
   } else {
-    fmt::print(stderr, "{}\n", text);
+    say("{}\n", text);
   }
-  std::fflush(stderr);
 }
 
 void Progress::finish() {
-  if (terminal_) fmt::print(stderr, "\r\033[K");
+  if (terminal_) say("\r\033[K");
 }
 
 }  // namespace glissade::cli

@@ -18,11 +18,13 @@
 #include "glissade/io/results_file.hpp"
 #include "glissade/io/study_file.hpp"
 #include "glissade/io/suite_file.hpp"
+#include "glissade/parallel/threads.hpp"
 #include "glissade/report/summary.hpp"
 #include "glissade/report/write_report.hpp"
 #include "glissade/study/plan/plan.hpp"
 #include "glissade/study/run/reduce.hpp"
 #include "output_rule.hpp"
+#include "put.hpp"
 #include "run/run_folder.hpp"
 #include "run/run_record.hpp"
 #include "run/run_study.hpp"
@@ -52,8 +54,7 @@ std::vector<Suite> load_suites(const std::vector<fs::path>& files) {
 /// On root, by threads on the processors of all ranks of its machine.
 void on_root_threads(const Communicator& world, const std::function<void()>& work) {
   const LentProcessors lent(world);
-  tbb::task_arena threads(lent.ranks());
-  on_root(world, [&] { threads.execute(work); });
+  on_root(world, [&] { tbb::task_arena(startable_threads(lent.threads())).execute(work); });
 }
 
 /// What root does with the histories of all ranks.
@@ -77,12 +78,12 @@ void write_all(const Plan& whole, RunHistories& all, std::uint64_t resumed,
                     run_json(results, skips, clock, ranks, count, resumed, all.other_ranks_mb));
   });
   if (options.quiet) return;
-  fmt::print("{}\n", summary_text(results, skips));
+  put("{}\n", summary_text(results, skips));
   print_seconds(clock, ranks);
-  fmt::print("{}\n", wrapped(fmt::format("Histories integrated: {} at the levels, {} in search of "
-                                         "capacities, on {} roof motions",
-                                         count.integrated, count.searched, count.roofs),
-                             terminal_width, 2));
+  put("{}\n", wrapped(fmt::format("Histories integrated: {} at the levels, {} in search of "
+                                  "capacities, on {} roof motions",
+                                  count.integrated, count.searched, count.roofs),
+                      terminal_width, 2));
   print_where(out);
 }
 
@@ -108,8 +109,8 @@ void check_has_parts(const Plan& plan, const PlanPart& part) {
                     "run the study without --part, or state samples and scrambles instead", ""});
 }
 
-/// Reads and simulates once, on root; the study's path and the part to everybody.
-std::vector<Suite> prepare_motions(RunOptions& options, StoppedRun& stopped,
+/// Reads and simulates once, on root; the study's files and the part to everybody.
+std::vector<Suite> prepare_motions(RunOptions& options, TextFiles& files, StoppedRun& stopped,
                                    std::vector<FinishedPart>& parts, const Communicator& world) {
   std::vector<Suite> suites;
   on_root_threads(world, [&] {
@@ -125,31 +126,27 @@ std::vector<Suite> prepare_motions(RunOptions& options, StoppedRun& stopped,
       }
       check_run_folder(options.folder(), options.overwrite);
     }
-    suites = load_suites(read_study(options.study).suite_files);
+    suites = load_suites(read_study(options.study, files).suite_files);
   });
   std::vector<char> run = ByteWriter().put(options.study).put(options.part).take();
   world.broadcast(run);
   ByteReader(run).get(options.study).get(options.part);
+  std::vector<char> texts = files.packed();
+  world.broadcast(texts);
+  files = TextFiles(texts);
   share(suites, world);
   return suites;
 }
 
-/// Root makes the lists of the plan. The ranks share its spectra; a study that does not fit its
-/// suites is so on all of them.
-Plan make_shared_plan(const std::string& study, std::vector<Suite> suites,
+/// Root makes the lists of the plan, and the ranks share its spectra.
+Plan make_shared_plan(const std::string& study, TextFiles files, std::vector<Suite> suites,
                       const Communicator& world) {
   Plan plan;
-  std::optional<InputError> invalid;
-  try {
-    plan = begin_plan(
-        read_study(study), std::move(suites),
-        [&](std::size_t count, const Part& part) { return share_parts(world, count, part); });
-  } catch (const InputError& error) {
-    invalid = error;
-  }
-  on_root(world, [&] {
-    if (invalid) throw *invalid;
-  });
+  together(world, [&] { plan = begin_plan(read_study(study, files), std::move(suites)); });
+  std::vector<std::vector<double>> spectra_g =
+      share_parts(world, spectra_to_scale(plan),
+                  [&](std::size_t record) { return spectrum_to_scale(plan, record); });
+  together(world, [&] { scale_plan(plan, std::move(spectra_g)); });
   check_same_plan(plan, world);
   on_root(world, [&] { finish_plan(plan); });
   share(plan, world);
@@ -162,26 +159,22 @@ void read_earlier_units(const char* how, const fs::path& out, const RunIdentity&
   const std::uint64_t bytes_not_read =
       read_journals(out, run, plan, [&](const UnitResult& unit) { done.add(unit); });
   write_text_file(out / "run.json", started_json(plan.config.name, plan.hash));
-  fmt::print("{}: {} of {} units are in the journals", how, done.units,
-             units_of(plan, run.part).size());
-  if (bytes_not_read > 0)
-    fmt::print(", beside {} bytes that are not whole records", bytes_not_read);
-  fmt::print("\n");
+  put("{}: {} of {} units are in the journals", how, done.units, units_of(plan, run.part).size());
+  if (bytes_not_read > 0) put(", beside {} bytes that are not whole records", bytes_not_read);
+  put("\n");
 }
 
 /// What would run, what it would cost, and whether its folder is free; if not, that is an error.
 void check_study(const Plan& plan, const fs::path& out, bool overwrite) {
-  fmt::print("{}", to_string(plan));
-  fmt::print("time        roughly {:.0f} s on one core\n", std::ceil(plan.predicted_seconds()));
-  fmt::print(
-      "results     about {:.1f} MB of histories before compression in results.h5; as much in\n"
+  put("{}", to_string(plan));
+  put("time        roughly {:.0f} s on one core\n", std::ceil(plan.predicted_seconds()));
+  put("results     about {:.1f} MB of histories before compression in results.h5; as much in\n"
       "            the journals until then, and in the first rank's memory, or on the disk\n"
       "            where memory is short\n",
       bytes_of(plan.config, plan.records.size(), plan.cases.size()) / 1e6);
-  std::fflush(stdout);
   check_run_folder(out, overwrite);
   check_room(out, plan);
-  fmt::print("folder      {}: free\n", out.string());
+  put("folder      {}: free\n", out.string());
 }
 
 /// "2/8".
@@ -229,12 +222,14 @@ void run_study(RunOptions options, const Communicator& world) {
   }
   StoppedRun stopped;               // on root, where it is resumed
   std::vector<FinishedPart> parts;  // on root, where they are merged
-  std::vector<Suite> suites = prepare_motions(options, stopped, parts, world);
+  TextFiles files;
+  std::vector<Suite> suites = prepare_motions(options, files, stopped, parts, world);
   const fs::path out = options.folder();
   clock.end_phase("motions");
 
-  const Plan plan = make_shared_plan(options.study, std::move(suites), world);
-  RunIdentity identity = identity_of(plan, GLISSADE_VERSION ", " + build_text());
+  const Plan plan = make_shared_plan(options.study, std::move(files), std::move(suites), world);
+  RunIdentity identity;
+  together(world, [&] { identity = identity_of(plan, GLISSADE_VERSION ", " + build_text()); });
   identity.part = options.part;
   std::optional<RunHistories> done;  // on root
   on_root(world, [&] {
@@ -248,7 +243,7 @@ void run_study(RunOptions options, const Communicator& world) {
       stopped.lock = take_run_folder(out, plan, identity, options.overwrite, parts);
     }
   });
-  const RunFolderGuard guard(options.dry_run ? fs::path() : out, world);
+  const RunFolderGuard guard(options.dry_run || !world.is_root() ? fs::path() : out);
   on_root(world, [&] {
     if (options.dry_run) return;
     done.emplace(plan, out);
@@ -302,8 +297,8 @@ void add_run(CLI::App& program, const Communicator& world) {
     resume->excludes(other);
   part->excludes(dry_run);
   command->footer(
-      "SIGINT (Ctrl-C), SIGTERM, SIGUSR1 or a file named stop in the results folder\n"
-      "stop a run with exit status 75; --resume continues it.");
+      "SIGINT (Ctrl-C), SIGTERM, SIGHUP, SIGUSR1 or a file named stop in the results\n"
+      "folder stop a run with exit status 75; --resume continues it.");
   command->callback([options, study, world] {
     if (options->study.empty() && options->resume.empty())
       throw CLI::RequiredError(study->get_name());

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "run/run_folder.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <map>
 #include <utility>
@@ -13,6 +15,7 @@
 #include "glissade/io/study_file.hpp"
 #include "glissade/study/run/exchange.hpp"
 #include "output_rule.hpp"
+#include "put.hpp"
 
 namespace glissade::cli {
 
@@ -56,10 +59,8 @@ void check_same_plan(const Plan& plan, const Communicator& world) {
   on_root(world, [&] {
     for (const std::vector<char>& other : hashes) {
       if (hash == std::string(other.begin(), other.end())) continue;
-      throw InputError(
-          {"", "the ranks make different plans of one study",
-           "run them on one kind of machine, and do not change the study file while they start",
-           ""});
+      throw InputError({"", "the ranks make different plans of one study",
+                        "run them on one kind of machine", ""});
     }
   });
 }
@@ -174,7 +175,7 @@ StoppedRun take_stopped_run(const fs::path& folder, const fs::path& study) {
                        folder);
     }
     if (!is_running(folder)) remove_journals(folder);  // of a run killed when it removed them
-    fmt::print("{} is finished\n", folder.string());
+    put("{} is finished\n", folder.string());
     throw ExitStatus{0};
   }
   StoppedRun run{nullptr, read_identity(folder)};
@@ -206,13 +207,7 @@ void leave(const fs::path& folder) noexcept {
 
 }  // namespace
 
-RunFolderGuard::RunFolderGuard(fs::path folder, const Communicator& world)
-    : folder_(std::move(folder)), world_(world) {
-  if (!folder_.empty()) world_.before_abort([this] { leave(folder_); });
-}
-
 RunFolderGuard::~RunFolderGuard() {
-  world_.before_abort({});
   if (!folder_.empty() && std::uncaught_exceptions() > exceptions_) leave(folder_);
 }
 
@@ -224,9 +219,9 @@ void end_stopped(const fs::path& folder, const std::string& reason, std::uint64_
   const fs::path run_json = folder / "run.json";
   write_text_file(run_json,
                   stopped_json(run_json, reason, done_units, units, resume_command(folder)));
-  fmt::print(stderr, "glissade: stopped by {}; {} of {} units are done and kept. Go on with: {}\n",
-             reason, done_units, units, resume_command(folder));
-  throw ExitStatus{stopped_status};
+  throw ExitStatus{stopped_status,
+                   fmt::format("stopped by {}; {} of {} units are done and kept. Go on with: {}",
+                               reason, done_units, units, resume_command(folder))};
 }
 
 namespace {
@@ -303,8 +298,7 @@ void check_parts(const std::vector<FinishedPart>& parts, const RunIdentity& run)
 
 void end_part(const fs::path& folder, const PlanPart& part, std::uint64_t units) {
   write_text_file(folder / "run.json", part_json(folder / "run.json", units));
-  fmt::print(
-      "Part {} of {} is finished: {} units are kept in {}. When all parts are, merge them with: "
+  put("Part {} of {} is finished: {} units are kept in {}. When all parts are, merge them with: "
       "glissade merge FOLDERS OF THE PARTS --out DIR\n",
       part.number, part.count, units, folder.string());
 }
@@ -316,16 +310,15 @@ void print_seconds(const PhaseClock& clock, int ranks) {
     phases += fmt::format("{}{} {:.2f}", phases.empty() ? "" : ", ", phase, seconds);
     total += seconds;
   }
-  fmt::print("{}\n", wrapped(fmt::format("Seconds on {} rank{}: {:.2f} ({})", ranks,
-                                         ranks == 1 ? "" : "s", total, phases),
-                             terminal_width, 2));
+  put("{}\n", wrapped(fmt::format("Seconds on {} rank{}: {:.2f} ({})", ranks, ranks == 1 ? "" : "s",
+                                  total, phases),
+                      terminal_width, 2));
 }
 
 void print_where(const fs::path& folder) {
-  fmt::print("Report   {}\nResults  {}\nTables   {}\nFigures  {}\nRun      {}\n",
-             (folder / "report.html").string(), (folder / "results.h5").string(),
-             (folder / "tables").string(), (folder / "figures").string(),
-             (folder / "run.json").string());
+  put("Report   {}\nResults  {}\nTables   {}\nFigures  {}\nRun      {}\n",
+      (folder / "report.html").string(), (folder / "results.h5").string(),
+      (folder / "tables").string(), (folder / "figures").string(), (folder / "run.json").string());
 }
 
 }  // namespace glissade::cli

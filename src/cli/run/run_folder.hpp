@@ -1,44 +1,22 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <fmt/format.h>
-
-#include <cstdio>
 #include <exception>
 #include <filesystem>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "commands.hpp"
 #include "glissade/core/error.hpp"
 #include "glissade/io/journal.hpp"
 #include "glissade/motion/motion.hpp"
-#include "glissade/parallel/communicator.hpp"
+#include "glissade/parallel/together.hpp"
 #include "run/run_record.hpp"
 
 // What a run does around its histories.
 namespace glissade::cli {
-
-/// Root prepares what may fail on the user's input, or ends the run, and sends the outcome to the
-/// other ranks.
-template <class Prepare>
-void on_root(const Communicator& world, Prepare prepare) {
-  constexpr char go_on = -1;
-  std::vector<char> status(1, go_on);
-  if (world.is_root()) {
-    try {
-      prepare();
-    } catch (const InputError& error) {
-      fmt::print(stderr, "glissade: {}\n", error.what());
-      status[0] = 2;
-    } catch (const ExitStatus& exit) {
-      status[0] = static_cast<char>(exit.status);
-    }
-  }
-  world.broadcast(status);
-  if (status[0] != go_on) throw ExitStatus{status[0]};
-}
 
 /// Root's motions to everybody; their samples are stored once on each machine.
 void share(std::vector<Suite>& suites, const Communicator& world);
@@ -46,8 +24,7 @@ void share(std::vector<Suite>& suites, const Communicator& world);
 /// Root's lists and hash to everybody; the lists are stored once on each machine.
 void share(Plan& plan, const Communicator& world);
 
-/// Every rank reads the study and makes its cases by their numbers; another mathematical library
-/// could make others.
+/// Every rank makes its cases by their numbers; another mathematical library could make others.
 void check_same_plan(const Plan& plan, const Communicator& world);
 
 /// Throws InputError where the disk of the folder has too little room for what the plan leaves.
@@ -89,21 +66,20 @@ struct StoppedRun {
 StoppedRun take_stopped_run(const std::filesystem::path& folder,
                             const std::filesystem::path& study);
 
-/// Made on every rank once the results folder is taken. Where an exception of any kind ends the
-/// run, on any rank, it leaves the folder as it can be used: with results.h5, run.json states that
+/// Made on root once the results folder is taken. Where an exception of any kind ends the
+/// run, of any rank, it leaves the folder as it can be used: with results.h5, run.json states that
 /// the results are complete and how to make the report; with units in a journal the run can be
 /// resumed; without either the folder is given back as it was before the run.
 class RunFolderGuard {
  public:
   /// @param folder empty: none was taken
-  RunFolderGuard(std::filesystem::path folder, const Communicator& world);
+  explicit RunFolderGuard(std::filesystem::path folder) : folder_(std::move(folder)) {}
   ~RunFolderGuard();
   RunFolderGuard(const RunFolderGuard&) = delete;
   RunFolderGuard& operator=(const RunFolderGuard&) = delete;
 
  private:
   std::filesystem::path folder_;
-  Communicator world_;
   int exceptions_ = std::uncaught_exceptions();
 };
 
@@ -126,7 +102,7 @@ void keeping_units(const std::filesystem::path& folder, Work work) {
   }
 }
 
-/// Ends a run on root that was stopped: run.json and a line state how it goes on.
+/// Ends a run that was stopped, on root: run.json and the message state how it goes on.
 [[noreturn]] void end_stopped(const std::filesystem::path& folder, const std::string& reason,
                               std::uint64_t done_units, std::uint64_t units);
 

@@ -99,7 +99,7 @@ void run_units(const Plan& plan, const PlanPart& part, Skipping skipping, RunHis
     self_schedule(world, motion_parts + missing.size(), work,
                   [&] { return begun ? stop.before_unit() : stop.requested(); });
     motion_parts = 0;
-    keeping_units(folder, [&] { writer.sync(); });
+    together(world, [&] { keeping_units(folder, [&] { writer.sync(); }); });
     if (world.is_root()) progress.finish();
     end_if_stopped(wanted, units_before, mine, missing.size(), stop, folder, world);
     world.collect(

@@ -21,6 +21,7 @@ struct StopSignal {
 // mpirun and schedulers may send the others more than once.
 constexpr StopSignal stop_signals[] = {{SIGINT, "SIGINT", static_cast<int>(SA_RESETHAND)},
                                        {SIGTERM, "SIGTERM", 0},
+                                       {SIGHUP, "SIGHUP", 0},
                                        {SIGUSR1, "SIGUSR1", 0}};
 
 void receive_from_now_on(const StopSignal& signal) {

@@ -8,9 +8,9 @@
 
 namespace glissade::cli {
 
-/// Whether a run is to end before its time, and be resumed later: SIGINT, SIGTERM or SIGUSR1 came,
-/// its stop file is there, or its wall time is nearly over. A second SIGINT ends the process at
-/// once.
+/// Whether a run is to end before its time, and be resumed later: SIGINT, SIGTERM, SIGHUP (its
+/// terminal was closed) or SIGUSR1 came, its stop file is there, or its wall time is nearly over. A
+/// second SIGINT ends the process at once.
 class StopRequest {
  public:
   /// From here on the signals no longer end the process. The wall time begins at `start`.

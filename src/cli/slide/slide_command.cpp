@@ -16,6 +16,7 @@
 #include "glissade/motion/improbable.hpp"
 #include "glissade/motion/intensity.hpp"
 #include "glissade/sampling/pull_test.hpp"
+#include "put.hpp"
 #include "slide/slide_history.hpp"
 
 namespace glissade::cli {
@@ -190,21 +191,20 @@ void print_building(const SlideHistory& h) {
   const bool two = h.peak_base_shear.size() == 2;
   const char* axes[] = {two ? " along its first axis" : "", " along its second axis"};
   for (std::size_t i = 0; i < h.peak_base_shear.size(); ++i) {
-    fmt::print("  building {:.4f} of its weight in base shear, roof {:.4f} m{}\n",
-               h.peak_base_shear[i], h.peak_roof_displacement_m[i], axes[i]);
+    put("  building {:.4f} of its weight in base shear, roof {:.4f} m{}\n", h.peak_base_shear[i],
+        h.peak_roof_displacement_m[i], axes[i]);
   }
 }
 
 /// In lines of the terminal.
 void print_sentence(const std::string& text) {
-  fmt::print("{}\n", text.size() <= terminal_width ? text : wrapped(text, terminal_width, 2));
+  put("{}\n", text.size() <= terminal_width ? text : wrapped(text, terminal_width, 2));
 }
 
 /// What was read: the user sees whether step and units are as they should be.
 void print_record(const SlideOptions& o, const Motion& motion, double pga_g) {
   for (const auto& [name, file, a] : components_of(o, motion)) {
-    fmt::print(
-        "{}\n  {} samples, {:g} s; PGA {:.3g} g, PGV {:.3g} m/s, PGD {:.3g} m, D5-95 {:.3g} s\n",
+    put("{}\n  {} samples, {:g} s; PGA {:.3g} g, PGV {:.3g} m/s, PGD {:.3g} m, D5-95 {:.3g} s\n",
         file, a.size(), motion.dt_s, peak_ground_acceleration_mps2(a) / standard_gravity_mps2,
         peak_ground_velocity_mps(motion.dt_s, a), peak_ground_displacement_m(motion.dt_s, a),
         significant_duration_s(motion.dt_s, a));
@@ -217,20 +217,20 @@ void print_text(const SlideOptions& o, const SlideHistory& h, const Motion& moti
                 double pga_g) {
   const SlipResult& r = h.slip;
   print_record(o, motion, pga_g);
-  fmt::print("Factor {:.4g}: PGA {:.4g} g{}\n", factor, pga_g,
-             h.ppa_g ? fmt::format(", peak roof acceleration {:.4g} g", *h.ppa_g) : "");
-  fmt::print("Model: {}\n", model_of(o));
-  fmt::print("{}", to_text(to_table("Displacement relative to the roof, in plan (downslope "
-                                    "positive; flat roof: +x)",
-                                    findings_of(h))));
-  fmt::print("  slides in {} phases\n", r.slip_phases);
+  put("Factor {:.4g}: PGA {:.4g} g{}\n", factor, pga_g,
+      h.ppa_g ? fmt::format(", peak roof acceleration {:.4g} g", *h.ppa_g) : "");
+  put("Model: {}\n", model_of(o));
+  put("{}", to_text(to_table("Displacement relative to the roof, in plan (downslope "
+                             "positive; flat roof: +x)",
+                             findings_of(h))));
+  put("  slides in {} phases\n", r.slip_phases);
   print_building(h);
   if (h.crossing) {
     if (h.crossing->happens()) {
-      fmt::print("  reaches {:.4f} m after {:.4f} s, with {:.4f} m/s\n", *o.clearance_m,
-                 h.crossing->time_s, h.crossing->speed_mps);
+      put("  reaches {:.4f} m after {:.4f} s, with {:.4f} m/s\n", *o.clearance_m,
+          h.crossing->time_s, h.crossing->speed_mps);
     } else {
-      fmt::print("  does not reach {:g} m\n", *o.clearance_m);
+      put("  does not reach {:g} m\n", *o.clearance_m);
     }
   }
   if (h.tips_at) print_sentence(tipping_text(o, *h.tips_at, factor, pga_g));
@@ -257,7 +257,7 @@ void run(SlideOptions& o) {
   const SlideHistory history = run_history(o, motion, factor);
   const double pga_g = factor * pga / standard_gravity_mps2;
   if (o.json) {
-    fmt::print("{}\n", to_json(o, history, motion, factor, pga_g).dump(2));
+    put("{}\n", to_json(o, history, motion, factor, pga_g).dump(2));
   } else {
     print_text(o, history, motion, factor, pga_g);
   }

@@ -18,6 +18,7 @@
 #include "glissade/motion/walters_level.hpp"
 #include "glissade/report/table.hpp"
 #include "output_rule.hpp"
+#include "put.hpp"
 #include "suite/motions_table.hpp"
 
 namespace glissade::cli {
@@ -35,7 +36,7 @@ struct SuiteOptions {
 /// To the file named by --out, else to standard output.
 void deliver(const SuiteOptions& o, const std::string& text) {
   if (o.out.empty()) {
-    fmt::print("{}", text);
+    put("{}", text);
   } else {
     check_output_file(o.out, "--out", o.overwrite);
     write_text_file(o.out, text);
@@ -51,37 +52,35 @@ const DesignTarget& target_of(const Suite& suite, const std::string& file) {
   return *suite.target;
 }
 
-void warn(const std::string& text) {
-  fmt::print("{}\n", wrapped("WARNING: " + text, terminal_width, 0));
-}
+void warn(const std::string& text) { put("{}\n", wrapped("WARNING: " + text, terminal_width, 0)); }
 
 void show(const SuiteOptions& o) {
   check_output_file(o.out, "--out", o.overwrite);
   const Suite suite = load_suite(o.suite);
-  fmt::print("{}\n", wrapped(suite.name + ": " + suite.description, terminal_width, 0));
+  put("{}\n", wrapped(suite.name + ": " + suite.description, terminal_width, 0));
   if (suite.target) {
     const TargetSpectrum target(*suite.target);
-    fmt::print("target: {}\n        S_DS {:.3f} g, S_D1 {:.3f} g", to_string(*suite.target),
-               target.sds_g(), target.sd1_g());
+    put("target: {}\n        S_DS {:.3f} g, S_D1 {:.3f} g", to_string(*suite.target),
+        target.sds_g(), target.sd1_g());
     if (suite.target->is_mapped()) {
       const auto level = intensity_level({suite.target->ss_g, suite.target->s1_g});
-      fmt::print("; Intensity Level {}", level ? std::to_string(*level) : "above 4");
+      put("; Intensity Level {}", level ? std::to_string(*level) : "above 4");
     }
-    fmt::print("\n");
+    put("\n");
     for (const std::string& warning : improbable_values(*suite.target)) warn(warning);
   }
   if (suite.nearest_to_target)
-    fmt::print("selected as the nearest to a target spectrum: the motions scatter less\n");
+    put("selected as the nearest to a target spectrum: the motions scatter less\n");
   for (const Motion& motion : suite.motions) {
     for (const std::string& value : improbable_values(motion)) warn(motion.id + ": " + value);
   }
   const Table table = motions_table(suite);
-  fmt::print("{}", to_text(table));
+  put("{}", to_text(table));
   if (o.out.empty()) {
-    fmt::print("Each component, earthquake and station: --out FILE.csv\n");
+    put("Each component, earthquake and station: --out FILE.csv\n");
   } else {
     write_text_file(o.out, to_csv(table));
-    fmt::print("Table   {}\n", o.out);
+    put("Table   {}\n", o.out);
   }
 }
 
@@ -143,7 +142,7 @@ void scale(const SuiteOptions& o) {
                            scaling.controlling_period_s, scaling.largest_factor)}};
   for (std::size_t i = 0; i < suite.motions.size(); ++i)  // as suite files keep them
     table.add({suite.motions[i].id, std::round(1e4 * scaling.factors[i]) / 1e4});
-  fmt::print("{}", to_csv(table));
+  put("{}", to_csv(table));
 }
 
 void design(const SuiteOptions& o) {

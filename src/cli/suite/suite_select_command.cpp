@@ -19,6 +19,7 @@
 #include "glissade/motion/suite_scaling.hpp"
 #include "glissade/report/table.hpp"
 #include "output_rule.hpp"
+#include "put.hpp"
 
 namespace glissade::cli {
 namespace {
@@ -205,22 +206,20 @@ void print(const Suite& library, const Task& task, const RecordSelection& s) {
     const auto level = intensity_level({task.target.ss_g, task.target.s1_g});
     target += "; Intensity Level " + (level ? std::to_string(*level) : "above 4");
   }
-  fmt::print("{}\n", wrapped(target, terminal_width, 8));
+  put("{}\n", wrapped(target, terminal_width, 8));
   for (const std::string& warning : improbable_values(task.target))
-    fmt::print("{}\n", wrapped("WARNING: " + warning, terminal_width, 0));
-  fmt::print("{} candidates of {} records\n\n", s.candidates, library.motions.size());
-  fmt::print("{}", to_text(records_table(library, s)));
-  fmt::print("\n{}\n",
-             wrapped("average of the SRSS spectra: " + average_line(s), terminal_width, 2));
+    put("{}\n", wrapped("WARNING: " + warning, terminal_width, 0));
+  put("{} candidates of {} records\n\n", s.candidates, library.motions.size());
+  put("{}", to_text(records_table(library, s)));
+  put("\n{}\n", wrapped("average of the SRSS spectra: " + average_line(s), terminal_width, 2));
   if (!s.reaches_target())
-    fmt::print("{}\n",
-               wrapped("note  " + shortfall_line(s, task.criteria.max_scale), terminal_width, 6));
+    put("{}\n", wrapped("note  " + shortfall_line(s, task.criteria.max_scale), terminal_width, 6));
   if (s.left_out.empty()) return;
-  fmt::print("\nleft out:\n");
+  put("\nleft out:\n");
   for (const LeftOutRecord& record : s.left_out) {
     std::vector<const char*> reasons;
     for (const LeftOutFor reason : record.reasons) reasons.push_back(to_string(reason));
-    fmt::print("  {}: {}\n", library.motions[record.record].id, fmt::join(reasons, ", "));
+    put("  {}: {}\n", library.motions[record.record].id, fmt::join(reasons, ", "));
   }
 }
 
@@ -290,11 +289,11 @@ void run(const SelectOptions& o) {
   const RecordSelection selection = select(library, task);
   if (!o.out.empty()) write_text_file(o.out, suite_text(o, library, task, selection));
   if (o.json) {
-    fmt::print("{}\n", to_json(library, task, selection).dump(2));
+    put("{}\n", to_json(library, task, selection).dump(2));
     return;
   }
   print(library, task, selection);
-  if (!o.out.empty()) fmt::print("\nsuite file   {}\n", o.out);
+  if (!o.out.empty()) put("\nsuite file   {}\n", o.out);
 }
 
 }  // namespace

@@ -10,6 +10,7 @@
 #include <limits>
 #include <mutex>
 #include <optional>
+#include <system_error>
 #include <thread>
 
 #include "glissade/core/error.hpp"
@@ -41,7 +42,7 @@ fs::path open_new(const JournalNames& names, int rank, std::optional<OutputFile>
 }  // namespace
 
 /// The file, and a thread that flushes it to the disk: a unit that takes long must not keep the
-/// one before it waiting.
+/// one before it waiting. Where the system starts no thread, the next unit flushes it.
 struct JournalWriter::State {
   JournalNames names;
   int rank;
@@ -54,13 +55,24 @@ struct JournalWriter::State {
   std::condition_variable_any wake;
   bool dirty = false;
   std::exception_ptr failure;  ///< of the thread
-  std::jthread thread;         // last: it ends before what it uses
+  std::chrono::steady_clock::time_point flushed = std::chrono::steady_clock::now();
+  std::jthread thread;  // last: it ends before what it uses
 
   void open() {
     path = open_new(names, rank, file);
     file->write(head);
     sync_folder(names.folder);
-    thread = std::jthread([this](const std::stop_token& stop) { flush_now_and_then(stop); });
+    try {
+      thread = std::jthread([this](const std::stop_token& stop) { flush_now_and_then(stop); });
+    } catch (const std::system_error&) {  // a limit on processes or memory
+    }
+  }
+
+  void flush_without_thread() {
+    const auto now = std::chrono::steady_clock::now();
+    if (thread.joinable() || now - flushed < std::chrono::seconds(seconds_to_disk)) return;
+    file->sync();
+    flushed = now;
   }
 
   void flush_now_and_then(const std::stop_token& stop) {
@@ -97,6 +109,7 @@ void JournalWriter::append(const UnitResult& unit) {
   state_->throw_failure();
   if (!state_->file) state_->open();
   state_->file->write(framed(pack(unit)));
+  state_->flush_without_thread();
   const std::lock_guard lock(state_->mutex);
   state_->dirty = true;
 }

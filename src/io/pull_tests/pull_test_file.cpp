@@ -154,7 +154,7 @@ class Sheet {
 };
 
 /// Nothing where the file is no sheet.
-std::vector<EvaluatedTests> read_sheet(const std::filesystem::path& file) {
+std::vector<EvaluatedTests> read_sheet(const TextFile& file) {
   Sheet sheet;
   read_csv(file,
            {.split = csv_cells,
@@ -168,9 +168,9 @@ std::vector<EvaluatedTests> read_sheet(const std::filesystem::path& file) {
 
 }  // namespace
 
-PullTestResults read_pull_test_results(const std::filesystem::path& file, const SlidingRule& rule) {
-  if (file.extension() == ".toml")
-    throw InputError({file.string(), "is a TOML file, not a table of pull tests (CSV)",
+PullTestResults read_pull_test_results(const TextFile& file, const SlidingRule& rule) {
+  if (file.path.extension() == ".toml")
+    throw InputError({file.path.string(), "is a TOML file, not a table of pull tests (CSV)",
                       "give the table with a row for each test, or sample", ""});
   if (const auto tests = read_sheet(file); !tests.empty()) return {{}, summarise(tests)};
   PullTestResults results{read_pull_tests(file), {}};
@@ -178,9 +178,9 @@ PullTestResults read_pull_test_results(const std::filesystem::path& file, const 
   return results;
 }
 
-std::vector<PullTest> read_pull_tests(const std::filesystem::path& file) {
+std::vector<PullTest> read_pull_tests(const TextFile& file) {
   PullTestHeader header;
-  TestBuilder builder(file);
+  TestBuilder builder(file.path);
   read_csv(file, {.split = csv_cells,
                   .shown_of_a_kind = 1,
                   .begin_with = pull_test_beginning,

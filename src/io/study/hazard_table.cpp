@@ -28,7 +28,7 @@ std::optional<HazardCurve> read_curve(const TomlTable& table, const std::string&
     return {};
   };
   try {
-    read_number_rows(folder / name, {{{measure, "annual_rate"}, take}});
+    read_number_rows(table.text_file(folder / name), {{{measure, "annual_rate"}, take}});
     return HazardCurve(points);
   } catch (const InputError& error) {
     table.report("curve", error);

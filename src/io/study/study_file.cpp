@@ -92,8 +92,7 @@ void read_suites(const TomlTable& table, StudyConfig& study) {
   const char* key = table.has("files") ? "files" : "file";
   for (const std::string& name : names) {
     study.suite_files.push_back((study.file.parent_path() / name).lexically_normal());
-    std::error_code ignored;
-    if (!name.empty() && !std::filesystem::exists(study.suite_files.back(), ignored)) {
+    if (!name.empty() && !table.is_there(study.suite_files.back())) {
       table.report(key, "there is no suite " + study.suite_files.back().string(),
                    "give its path relative to the study file");
     }
@@ -122,7 +121,12 @@ void check_size(const TomlTable& root, const StudyConfig& study) {
 }  // namespace
 
 StudyConfig read_study(const std::filesystem::path& file) {
-  TomlDocument document(file);
+  TextFiles files;
+  return read_study(file, files);
+}
+
+StudyConfig read_study(const std::filesystem::path& file, TextFiles& files) {
+  TomlDocument document(file, &files);
   document.explain_old_keys(renamed_keys(), changed_keys());
   const TomlTable root = document.root();
   if (!root.has("study") && root.has("project"))

@@ -62,8 +62,8 @@ void read_spectrum(const TomlTable& table, const std::filesystem::path& folder,
     };
   };
   try {
-    read_number_rows(folder / name, {{{"period_s", "design_sa_g"}, take(1.0)},
-                                     {{"period_s", "mce_sa_g"}, take(1.5)}});
+    read_number_rows(table.text_file(folder / name), {{{"period_s", "design_sa_g"}, take(1.0)},
+                                                      {{"period_s", "mce_sa_g"}, take(1.5)}});
   } catch (const InputError& error) {
     table.report("spectrum", error);
     return;

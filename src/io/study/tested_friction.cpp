@@ -115,7 +115,7 @@ void read_tested_friction(const TomlTable& table, const std::filesystem::path& f
   const auto give_up = [&] { table.ignore_unknown(); };
   if (table.problem_count() > problems_before) return give_up();
   try {
-    take(table, read_pull_test_results(folder / file, rule).summary, file, study);
+    take(table, read_pull_test_results(table.text_file(folder / file), rule).summary, file, study);
   } catch (const InputError& error) {
     table.report("file", error);
     give_up();

@@ -9,7 +9,6 @@
 #include <map>
 
 #include "glissade/core/error.hpp"
-#include "glissade/core/file.hpp"
 #include "text/scan.hpp"
 
 namespace glissade {
@@ -121,15 +120,14 @@ class NumberFile {
 
 }  // namespace
 
-void read_csv(const std::filesystem::path& file, const CsvReader& csv) {
-  const std::string text = read_text_file(file);
-  LineReader lines(text);
+void read_csv(const TextFile& file, const CsvReader& csv) {
+  LineReader lines(file.text);
   Troubles troubles(csv.shown_of_a_kind);
   std::size_t width = 0, rows = 0;
   while (lines.next()) {
     if (is_blank_or_comment(lines.line())) continue;
     const Cells cells = csv.split(lines.line());
-    const std::string where = place(file, lines.number());
+    const std::string where = place(file.path, lines.number());
     if (width == 0) {
       if (!csv.take_header(where, lines.line(), cells)) return;
       width = cells.size();
@@ -145,12 +143,12 @@ void read_csv(const std::filesystem::path& file, const CsvReader& csv) {
   }
   troubles.throw_if_any();
   if (rows == 0)
-    throw InputError({file.string(),
+    throw InputError({file.path.string(),
                       width > 0 ? "there are no rows below the header" : "the file is empty",
                       "begin with " + csv.begin_with, ""});
 }
 
-void read_number_rows(const std::filesystem::path& file, const std::vector<NumberRows>& known,
+void read_number_rows(const TextFile& file, const std::vector<NumberRows>& known,
                       BesideNumbers beside) {
   NumberFile numbers(known, beside);
   read_csv(file, {.split = fields,
@@ -159,7 +157,7 @@ void read_number_rows(const std::filesystem::path& file, const std::vector<Numbe
                       [&](const auto&... of_header) { return numbers.take_header(of_header...); },
                   .take_row = [&](const auto&... of_row) { return numbers.take_row(of_row...); }});
   if (numbers.has_no_weight())
-    throw InputError({file.string(), "every weight is 0", "give at least one above 0", ""});
+    throw InputError({file.path.string(), "every weight is 0", "give at least one above 0", ""});
 }
 
 }  // namespace glissade

@@ -2,11 +2,12 @@
 #pragma once
 
 #include <cstddef>
-#include <filesystem>
 #include <functional>
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include "glissade/io/text_files.hpp"
 
 namespace glissade {
 
@@ -31,7 +32,7 @@ struct CsvReader {
 };
 /// Throws InputError with what is wrong with the rows, or where there are none. Lines that begin
 /// with # are comments.
-void read_csv(const std::filesystem::path& file, const CsvReader& reader);
+void read_csv(const TextFile& file, const CsvReader& reader);
 
 /// Columns of numbers beside which a file may have `record`, any text, and `weight`, 0 or more.
 struct NumberRow {
@@ -51,7 +52,7 @@ struct NumberRows {
 
 /// Reads the finite numbers below one of the headers.
 enum class BesideNumbers { nothing, record_and_weight };
-void read_number_rows(const std::filesystem::path& file, const std::vector<NumberRows>& known,
+void read_number_rows(const TextFile& file, const std::vector<NumberRows>& known,
                       BesideNumbers beside = BesideNumbers::nothing);
 
 }  // namespace glissade

@@ -10,7 +10,6 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "glissade/core/file.hpp"
 #include "text/scan.hpp"
 #include "toml/source_text.hpp"
 #include "toml/written_units.hpp"
@@ -19,6 +18,8 @@ namespace glissade {
 
 struct TomlDocument::State {
   std::filesystem::path file;
+  TextFiles own_files;
+  TextFiles* files = &own_files;
   SourceText source{""};
   toml::table root;
   /// A problem, and the table it was found in: of an old key, or perhaps a consequence of one.
@@ -219,9 +220,11 @@ void TomlDocument::State::throw_if_any() const {
   problems.throw_if_any();
 }
 
-TomlDocument::TomlDocument(const std::filesystem::path& file) : state_(std::make_unique<State>()) {
+TomlDocument::TomlDocument(const std::filesystem::path& file, TextFiles* files)
+    : state_(std::make_unique<State>()) {
   state_->file = file;
-  state_->source = SourceText(read_text_file(file));
+  if (files != nullptr) state_->files = files;
+  state_->source = SourceText(state_->files->text_file(file).text);
   try {
     state_->root = parse_toml(text());
   } catch (const toml::parse_error& error) {
@@ -358,6 +361,14 @@ void TomlTable::report_unknown_word(std::string_view key, const std::string& wor
   for (std::size_t i = 0; i < known.size(); ++i)
     suggestion += (i == 0 ? "known are " : ", ") + known[i];
   report(key, given + " is not known", suggestion);
+}
+
+TextFile TomlTable::text_file(const std::filesystem::path& file) const {
+  return document_->files->text_file(file);
+}
+
+bool TomlTable::is_there(const std::filesystem::path& file) const {
+  return document_->files->is_there(file);
 }
 
 void TomlTable::ignore_unknown() const { document_->not_checked.insert(node_); }

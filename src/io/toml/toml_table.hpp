@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "glissade/core/error.hpp"
+#include "glissade/io/text_files.hpp"
 
 namespace glissade {
 
@@ -67,7 +68,8 @@ std::string toml_without(const std::string& text, const std::vector<std::string>
 class TomlDocument {
  public:
   /// Throws InputError where the file cannot be read or is not TOML.
-  explicit TomlDocument(const std::filesystem::path& file);
+  /// @param files that it is one of, and those that it names; null: they are read
+  explicit TomlDocument(const std::filesystem::path& file, TextFiles* files = nullptr);
   ~TomlDocument();
   TomlDocument(const TomlDocument&) = delete;
   TomlDocument& operator=(const TomlDocument&) = delete;
@@ -147,6 +149,9 @@ class TomlTable {
   /// Notes problems reported without a place (validate(...)) at the value of `key`.
   void report(std::string_view key, const InputError& error) const;
   void report_missing(std::string_view key, std::string suggestion = "") const;
+  /// A file that the table names.
+  TextFile text_file(const std::filesystem::path& file) const;
+  bool is_there(const std::filesystem::path& file) const;
   /// Whatever else the table contains is not to be reported as unknown: an earlier problem kept it
   /// from being read.
   void ignore_unknown() const;

@@ -107,15 +107,11 @@ void cut_units(Plan& plan) {
 }
 
 /// The factor on each record at level 1.
-void scale_suites(Plan& plan, const ComputeParts& compute_parts) {
+void scale_suites(Plan& plan, std::vector<std::vector<double>> spectra_g) {
   const IntensityConfig& intensity = plan.config.intensity;
   plan.walters_spectra_g.resize(plan.suites.size());
-  if (intensity.measure == IntensityMeasure::sds_g) {
-    std::vector<std::vector<double>> rows = compute_parts(
-        plan.records.size(), [&](std::size_t i) { return walters_spectrum_g(plan.motion(i)); });
-    for (std::size_t i = 0; i < rows.size(); ++i)
-      plan.walters_spectra_g[plan.records[i].suite].push_back(std::move(rows[i]));
-  }
+  for (std::size_t i = 0; i < spectra_g.size(); ++i)
+    plan.walters_spectra_g[plan.records[i].suite].push_back(std::move(spectra_g[i]));
   for (std::size_t s = 0; s < plan.suites.size(); ++s) {
     const std::vector<double> factors = intensity.measure.factors_at_unit_level(
         intensity, plan.suites[s], plan.walters_spectra_g[s]);
@@ -250,14 +246,7 @@ std::vector<std::size_t> units_of(const Plan& plan, const PlanPart& part) {
   return units;
 }
 
-std::vector<std::vector<double>> compute_parts_here(std::size_t count, const Part& part) {
-  std::vector<std::vector<double>> parts;
-  for (std::size_t i = 0; i < count; ++i) parts.push_back(part(i));
-  return parts;
-}
-
-Plan begin_plan(const StudyConfig& config, std::vector<Suite> suites,
-                const ComputeParts& compute_parts) {
+Plan begin_plan(const StudyConfig& config, std::vector<Suite> suites) {
   GLISSADE_EXPECTS(!suites.empty());
   GLISSADE_EXPECTS(config.suite_files.empty() || config.suite_files.size() == suites.size());
   Plan plan;
@@ -272,11 +261,22 @@ Plan begin_plan(const StudyConfig& config, std::vector<Suite> suites,
     for (std::size_t m = 0; m < plan.suites[s].motions.size(); ++m) plan.records.push_back({s, m});
   }
   check_fit(plan.config, plan.suites);
-  scale_suites(plan, compute_parts);
-  check_factors(plan);
-  plan.kernel = cheapest_exact_kernel(config);
-  plan.cases = PlannedCases(plan.config);
   return plan;
+}
+
+std::size_t spectra_to_scale(const Plan& plan) {
+  return plan.config.intensity.measure == IntensityMeasure::sds_g ? plan.records.size() : 0;
+}
+
+std::vector<double> spectrum_to_scale(const Plan& plan, std::size_t record) {
+  return walters_spectrum_g(plan.motion(record));
+}
+
+void scale_plan(Plan& plan, std::vector<std::vector<double>> spectra_g) {
+  scale_suites(plan, std::move(spectra_g));
+  check_factors(plan);
+  plan.kernel = cheapest_exact_kernel(plan.config);
+  plan.cases = PlannedCases(plan.config);
 }
 
 void finish_plan(Plan& plan) {
@@ -287,9 +287,12 @@ void finish_plan(Plan& plan) {
   plan.cases.drop_draws();
 }
 
-Plan make_plan(const StudyConfig& config, std::vector<Suite> suites,
-               const ComputeParts& compute_parts) {
-  Plan plan = begin_plan(config, std::move(suites), compute_parts);
+Plan make_plan(const StudyConfig& config, std::vector<Suite> suites) {
+  Plan plan = begin_plan(config, std::move(suites));
+  std::vector<std::vector<double>> spectra_g;
+  for (std::size_t i = 0; i < spectra_to_scale(plan); ++i)
+    spectra_g.push_back(spectrum_to_scale(plan, i));
+  scale_plan(plan, std::move(spectra_g));
   finish_plan(plan);
   return plan;
 }

@@ -91,10 +91,11 @@ void add_remarks(const Plan& plan, Results& results) {
 }  // namespace
 
 Results reduce(const Plan& plan, const std::vector<UnitResult>& units) {
-  const auto part = [&](std::size_t i) { return motion_part(plan, i); };
   HistoryAssembly histories(plan);
   for (const UnitResult& unit : units) histories.add(unit);
-  return reduce(plan, histories.take(plan), compute_parts_here(motion_part_count(plan), part));
+  std::vector<std::vector<double>> parts;
+  for (std::size_t i = 0; i < motion_part_count(plan); ++i) parts.push_back(motion_part(plan, i));
+  return reduce(plan, histories.take(plan), parts);
 }
 
 Results reduce(const Plan& plan, HistoryTable histories,

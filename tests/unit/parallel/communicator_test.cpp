@@ -1,12 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "glissade/parallel/communicator.hpp"
 
-#include <gtest/gtest.h>
+#include <gmock/gmock.h>
 
+#include <filesystem>
+#include <functional>
+#include <new>
 #include <span>
 #include <stdexcept>
+#include <system_error>
 
 #include "glissade/core/bytes.hpp"
+#include "glissade/core/error.hpp"
+#include "glissade/parallel/together.hpp"
 
 namespace glissade {
 namespace {
@@ -46,10 +52,39 @@ TEST(self_schedule, takes_no_item_once_it_is_stopped) {
   EXPECT_EQ(seen, (std::vector<std::uint64_t>{0, 1}));
 }
 
-TEST(self_schedule, passes_an_exception_on) {
+/// "2 there is not enough memory ...".
+std::string ending_of(const std::function<void()>& step) {
+  try {
+    on_root(Communicator::serial(), step);
+    return "none";
+  } catch (const ExitStatus& ending) {
+    return std::to_string(ending.status) + " " + ending.message;
+  }
+}
+
+TEST(together, states_how_the_program_ends_by_every_kind_of_error) {
+  EXPECT_EQ(ending_of([] {}), "none");
+  EXPECT_EQ(ending_of([] { throw ExitStatus{75, "stopped"}; }), "75 stopped");
+  EXPECT_EQ(ending_of([] {
+              throw InputError({"a.toml:3", "is wrong", "", ""});
+            }),
+            "2 a.toml:3: is wrong");
+  EXPECT_EQ(ending_of([] { throw std::runtime_error("broken"); }), "1 internal error: broken");
+  EXPECT_THAT(ending_of([] { throw std::bad_alloc(); }), testing::StartsWith("2 there is not"));
+  EXPECT_THAT(ending_of([] { std::filesystem::create_directory("/proc/none/folder"); }),
+              testing::AllOf(testing::StartsWith("2 "), testing::HasSubstr("/proc/none/folder"),
+                             testing::HasSubstr("No such file")));
+  EXPECT_THAT(
+      ending_of([] {
+        throw std::system_error(std::make_error_code(std::errc::resource_unavailable_try_again));
+      }),
+      testing::AllOf(testing::StartsWith("2 "), testing::HasSubstr("unavailable")));
+}
+
+TEST(self_schedule, ends_as_a_step_does_where_its_work_throws) {
   EXPECT_THROW(self_schedule(Communicator::serial(), 2,
                              [](std::uint64_t) { throw std::runtime_error("broken"); }),
-               std::runtime_error);
+               ExitStatus);
 }
 
 TEST(share_parts, alone_computes_every_part) {

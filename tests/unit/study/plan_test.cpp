@@ -147,18 +147,6 @@ TEST(plan, has_parts_of_even_cost_that_are_all_of_it) {
   }
 }
 
-TEST(plan, is_the_same_whoever_computes_its_spectra) {
-  const auto backwards = [](std::size_t count, const Part& part) {
-    std::vector<std::vector<double>> parts(count);
-    for (std::size_t i = count; i > 0; --i) parts[i - 1] = part(i - 1);
-    return parts;
-  };
-  const Plan plan = small_plan(small_config());
-  const Plan shared = make_plan(small_config(), {small_suite()}, backwards);
-  EXPECT_EQ(shared.hash, plan.hash);
-  EXPECT_EQ(shared.factor_at_unit_level, plan.factor_at_unit_level);
-}
-
 TEST(plan, gives_a_sample_its_numbers_whatever_else_is_sampled) {
   StudyConfig config = small_config();
   const Plan plan = small_plan(config);

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <span>
 #include <string>
 #include <vector>
@@ -86,25 +85,23 @@ struct Plan : PlanLists {
   double predicted_seconds() const;
 };
 
-/// Numbers that are computed part by part: which process computes a part changes nothing.
-using Part = std::function<std::vector<double>(std::size_t)>;
-using ComputeParts =
-    std::function<std::vector<std::vector<double>>(std::size_t count, const Part& part)>;
-std::vector<std::vector<double>> compute_parts_here(std::size_t count, const Part& part);
-
-/// What every rank makes itself: cases by their numbers, scales of the suites. Throws InputError
-/// where study and suites do not fit (no second component, no vertical although required, no target
-/// for sds_g ...).
-Plan begin_plan(const StudyConfig& config, std::vector<Suite> suites,
-                const ComputeParts& compute_parts = compute_parts_here);
+/// What every rank makes itself, first: the records. Throws InputError where study and suites do
+/// not fit (no second component, no vertical although required, no target for sds_g ...).
+Plan begin_plan(const StudyConfig& config, std::vector<Suite> suites);
+/// The records whose spectra the scales of the suites rest on: all, or 0. Any rank computes that
+/// of a record.
+std::size_t spectra_to_scale(const Plan& plan);
+std::vector<double> spectrum_to_scale(const Plan& plan, std::size_t record);
+/// Then: scales of the suites, and the cases by their numbers. Throws InputError where no record
+/// can be scaled so.
+void scale_plan(Plan& plan, std::vector<std::vector<double>> spectra_g);
 /// What one rank makes: the lists, its texts and its hash. Throws InputError where cases are not
 /// possible.
 void finish_plan(Plan& plan);
-/// Both.
-Plan make_plan(const StudyConfig& config, std::vector<Suite> suites,
-               const ComputeParts& compute_parts = compute_parts_here);
+/// All of it.
+Plan make_plan(const StudyConfig& config, std::vector<Suite> suites);
 
-/// Of what begin_plan() gives, with some of the cases. Ranks whose fingerprints differ would run
+/// Of what scale_plan() gives, with some of the cases. Ranks whose fingerprints differ would run
 /// other histories: another study file, another mathematical library.
 std::string fingerprint(const Plan& plan);
 

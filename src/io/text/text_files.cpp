@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "glissade/io/text_files.hpp"
+
+#include <stdexcept>
+#include <system_error>
+#include <utility>
+
+#include "glissade/core/bytes.hpp"
+#include "glissade/core/file.hpp"
+
+namespace glissade {
+
+namespace fs = std::filesystem;
+
+TextFile TextFile::read(const fs::path& file) { return {file, read_text_file(file)}; }
+
+TextFiles::TextFiles(std::span<const char> packed) : are_given_(true) {
+  std::vector<std::string> there;
+  ByteReader in(packed);
+  in.get(there);
+  there_.insert(there.begin(), there.end());
+  while (!in.at_end()) {
+    std::string file, text;
+    in.get(file).get(text);
+    texts_.emplace(std::move(file), std::move(text));
+  }
+}
+
+std::vector<char> TextFiles::packed() const {
+  ByteWriter out;
+  out.put(std::vector<std::string>(there_.begin(), there_.end()));
+  for (const auto& [file, text] : texts_) out.put(file).put(text);
+  return out.take();
+}
+
+TextFile TextFiles::text_file(const fs::path& file) {
+  const std::string name = file.string();
+  auto found = texts_.find(name);
+  if (found == texts_.end()) {
+    if (are_given_) throw std::logic_error(name + " was not read by rank 0");
+    found = texts_.emplace(name, read_text_file(file)).first;
+  }
+  return {file, found->second};
+}
+
+bool TextFiles::is_there(const fs::path& file) {
+  std::error_code ignored;
+  if (!are_given_ && fs::exists(file, ignored)) there_.insert(file.string());
+  return there_.contains(file.string());
+}
+
+}  // namespace glissade
