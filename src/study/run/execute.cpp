@@ -2,43 +2,15 @@
 #include "glissade/study/run/execute.hpp"
 
 #include <algorithm>
-#include <boost/math/tools/toms748_solve.hpp>
-#include <cmath>
 #include <functional>
 
 #include "glissade/core/finite.hpp"
 #include "glissade/core/not_converged.hpp"
+#include "run/capacities.hpp"
 #include "run/histories.hpp"
 
 namespace glissade {
 namespace {
-
-constexpr double capacity_tolerance =
-    1e-4;  // of the capacity: far below the spread between records
-
-/// The lowest level at which the peak displacement reaches the threshold: bracketed on the study's
-/// levels, then solved in the square root of slip, which is nearly linear in intensity (TOMS 748:
-/// Alefeld, Potra & Shi 1995).
-template <class PeakAt>
-double first_crossing(const std::vector<double>& levels, const double* peaks, double threshold_m,
-                      PeakAt peak_at) {
-  const auto excess = [&](double peak) { return std::sqrt(peak) - std::sqrt(threshold_m); };
-  const std::size_t n = levels.size();
-  const std::size_t first = static_cast<std::size_t>(
-      std::find_if(peaks, peaks + n, [&](double p) { return p >= threshold_m; }) - peaks);
-  if (first == n) return infinity;
-
-  double high = levels[first], low = first > 0 ? levels[first - 1] : 0.0;
-  double at_high = excess(peaks[first]),
-         at_low = excess(first > 0 ? peaks[first - 1] : peak_at(0.0));
-  if (at_low >= 0.0) return 0.0;  // it is exceeded without shaking
-  if (at_high == 0.0) return high;
-  std::uintmax_t evaluations = 60;
-  const auto bracket = boost::math::tools::toms748_solve(
-      [&](double level) { return excess(peak_at(level)); }, low, high, at_low, at_high,
-      [](double a, double b) { return b - a <= capacity_tolerance * b; }, evaluations);
-  return 0.5 * (bracket.first + bracket.second);
-}
 
 void keep(const History& history, const KeptFields& kept, HistoryFields& fields) {
   fields.peak_displacement_m.push_back(history.peak_displacement_m);
@@ -122,56 +94,6 @@ void prepare_levels(const Plan& plan, const Cases& cases, TwoAxisBatch& batch) {
   batch.run();
 }
 
-/// The search for one capacity. It is begun anew each time that the batch has run what it lacked.
-struct CapacitySearch {
-  Histories& histories;
-  const double* peaks;
-  double threshold_m;
-  double capacity = 0.0;
-  bool lacks = true;
-  WorkCount count = {};
-
-  void go_on(const std::vector<double>& levels) {
-    lacks = false;
-    count = {};
-    capacity = first_crossing(levels, peaks, threshold_m, [&](double level) {
-      if (histories.does_not_slide(level)) return 0.0;
-      if (lacks || !histories.is_ready(level)) {
-        if (!lacks) histories.prepare(level);
-        lacks = true;
-        return threshold_m;  // ends the search
-      }
-      return run_history(histories, level, {}, count).peak_displacement_m;
-    });
-  }
-};
-
-/// The capacities of cases whose levels are run.
-void find_capacities(const Plan& plan, const Cases& cases, TwoAxisBatch& batch,
-                     HistoryFields& fields, WorkCount& count) {
-  const std::vector<double>& levels = plan.config.intensity.levels;
-  const double* peaks = fields.peak_displacement_m.data() + fields.peak_displacement_m.size() -
-                        cases.size() * levels.size();
-  std::vector<CapacitySearch> searches;
-  for (std::size_t i = 0; i < cases.size(); ++i)
-    for (const double threshold : plan.config.thresholds_m())
-      searches.push_back({*cases[i], peaks + i * levels.size(), threshold});
-  for (bool lacking = true; lacking;) {
-    lacking = false;
-    for (CapacitySearch& search : searches) {
-      if (search.lacks) search.go_on(levels);
-      lacking = lacking || search.lacks;
-    }
-    batch.run();
-  }
-  for (const CapacitySearch& search : searches) {
-    fields.capacity.push_back(search.capacity);
-    count.searched += search.count.integrated;
-    count.failed += search.count.failed;
-    if (search.count.integrated == 0) ++count.decided;
-  }
-}
-
 /// The cases of a unit in turn, with the roofs that they lie on, some at once.
 class CasesOfUnit {
  public:
@@ -238,7 +160,7 @@ UnitResult execute(const Plan& plan, std::size_t unit_index, RoofStore& roofs) {
     prepare_levels(plan, cases, batch);
     for (const auto& histories : cases)
       run_levels(plan, *histories, roofs.skipping(), result.fields, result.count);
-    find_capacities(plan, cases, batch, result.fields, result.count);
+    find_capacities(plan.config, cases, batch, result.fields, result.count);
   }
   result.count.roofs = roofs.roofs_made() - roofs_before;
   return result;

@@ -149,16 +149,14 @@ class CoupledHistories : public NoTipping<OneAxis> {
     return is_below_yield(scene_, scene_.block.friction, level);
   }
 
-  void prepare(double level) override {
-    if (!is_ready(level)) known_.emplace(level, Known());
-  }
+  void prepare(double level) override { known_.try_emplace(level); }
   bool is_ready(double level) const override { return known_.contains(level); }
 
   History at(double level, std::span<Crossing> crossings, WorkCount& count) override {
     ++count.integrated;
     prepare(level);
     const Known& known = known_.at(level);
-    if (!known.found) run();
+    if (!known.is_run) run();
     if (!known.found) throw NotConverged("coupled_slip: a history did not converge");
     std::copy_n(known.crossings.begin(), crossings.size(), crossings.begin());
     return {.peak_displacement_m = known.found->peak_displacement_m, .uplift = known.found->uplift};
@@ -166,7 +164,8 @@ class CoupledHistories : public NoTipping<OneAxis> {
 
  private:
   struct Known {
-    std::optional<PeakSlip> found;  ///< not yet, or it does not converge
+    bool is_run = false;
+    std::optional<PeakSlip> found;  ///< nothing where it does not converge
     std::vector<Crossing> crossings;
   };
 
@@ -174,13 +173,14 @@ class CoupledHistories : public NoTipping<OneAxis> {
   void run() {
     std::vector<double> levels;
     for (const auto& [level, known] : known_)
-      if (!known.found) levels.push_back(level);
+      if (!known.is_run) levels.push_back(level);
     try {
       run(levels);
     } catch (const NotConverged&) {
       for (const double& level : levels) try {
           run({&level, 1});
-        } catch (const NotConverged&) {  // at() says so
+        } catch (const NotConverged&) {
+          known_.at(level).is_run = true;
         }
     }
   }
@@ -197,8 +197,8 @@ class CoupledHistories : public NoTipping<OneAxis> {
     coupled_slip(ground_, scenes, peaks, thresholds, crossings);
     for (std::size_t k = 0; k < scenes.size(); ++k) {
       const auto first = crossings.begin() + static_cast<std::ptrdiff_t>(k * thresholds.size());
-      known_.at(levels[k]) = {peaks[k].slip,
-                              {first, first + static_cast<std::ptrdiff_t>(thresholds.size())}};
+      known_.at(levels[k]) = {
+          true, peaks[k].slip, {first, first + static_cast<std::ptrdiff_t>(thresholds.size())}};
     }
   }
 
@@ -239,10 +239,12 @@ class FullHistories : public NoTipping<Histories> {
   }
 
   void prepare(double level) override {
-    if (!is_ready(level)) batch_.add(lanes_, {building_, block_, factors(level)}, level, known_);
+    if (!runs_alone()) batch_.add(lanes_, {building_, block_, factors(level)}, level, known_);
   }
   bool is_ready(double level) const override {
-    return runs_alone() || known_.find(level) != nullptr;
+    if (runs_alone()) return true;
+    const auto known = known_.find(level);
+    return known != known_.end() && known->second.is_run;
   }
 
   History at(double level, std::span<Crossing> crossings, WorkCount& count) override {
@@ -252,7 +254,7 @@ class FullHistories : public NoTipping<Histories> {
       prepare(level);
       batch_.run();
     }
-    const TwoAxisKnown::Entry& known = *known_.find(level);
+    const TwoAxisRun& known = known_.at(level);
     if (known.peak.failed) throw NotConverged("slide_two_axes: a history did not converge");
     std::copy_n(known.crossings.begin(), crossings.size(), crossings.begin());
     return history(known.peak);
@@ -291,7 +293,7 @@ class FullHistories : public NoTipping<Histories> {
   TwoAxisBlock block_;
   std::shared_ptr<TwoAxisLanes> lanes_;
   TwoAxisBatch& batch_;
-  TwoAxisKnown known_;
+  std::map<double, TwoAxisRun> known_;  ///< by level
 };
 
 }  // namespace
@@ -299,11 +301,12 @@ class FullHistories : public NoTipping<Histories> {
 History run_history(Histories& histories, double level, std::span<Crossing> crossings,
                     WorkCount& count) {
   try {
-    return histories.at(level, crossings, count);
+    const History history = histories.at(level, crossings, count);
+    if (!std::isnan(history.peak_displacement_m)) return history;
   } catch (const NotConverged&) {
-    ++count.failed;
-    return {.peak_displacement_m = infinity, .peak_vector_m = infinity, .failed = true};
   }
+  ++count.failed;
+  return {.peak_displacement_m = infinity, .peak_vector_m = infinity, .failed = true};
 }
 
 std::unique_ptr<Histories> histories_of(const Plan& plan, RoofStore& roofs, std::size_t record,

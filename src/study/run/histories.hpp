@@ -45,8 +45,8 @@ class Histories {
   virtual double tipping_level(const RigidBase& base) const = 0;
 };
 
-/// Histories::at(); one that does not converge is counted and reported, and the run goes on: the
-/// displacement is unknown, so no clearance is enough.
+/// Histories::at(); one that does not converge, or whose displacement is no number, is counted and
+/// reported, and the run goes on: the displacement is unknown, so no clearance is enough.
 History run_history(Histories& histories, double level, std::span<Crossing> crossings,
                     WorkCount& count);
 

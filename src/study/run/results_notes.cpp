@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <limits>
+#include <span>
 
 #include "glissade/motion/suite_scaling.hpp"
 
@@ -18,29 +18,23 @@ std::string percent(double share) {
   return share < 5e-4 ? "fewer than 0.1 %" : fmt::format("{:.1f} %", 100.0 * share);
 }
 
-/// Where a flag of the histories is set.
+using Flags = HistoryValues<std::uint8_t>;
+
+/// Whether a flag is set for any history of a record.
+bool is_set(const Results& results, const Flags& flags, std::size_t record) {
+  const std::size_t of_each = flags.size() / results.records.size();
+  const auto of_record = std::span(flags).subspan(record * of_each, of_each);
+  return std::ranges::find(of_record, 1) != of_record.end();
+}
+
+/// The records for which one of the flags is set.
 struct Flagged {
   std::vector<std::string> records;
-  std::size_t first_level = std::numeric_limits<std::size_t>::max();
-  double share_at_highest_level = 0.0;
 
-  Flagged(const Results& results, const HistoryValues<std::uint8_t>& flag) {
-    const HistoryTable& table = results.histories;
-    if (flag.empty()) return;
-    double highest = 0.0;
-    for (std::size_t record = 0; record < table.records; ++record) {
-      bool any = false;
-      for (std::size_t i = 0; i < table.cases; ++i) {
-        for (std::size_t level = 0; level < table.levels; ++level) {
-          if (flag[table.at(record, i, level)] == 0) continue;
-          any = true;
-          first_level = std::min(first_level, level);
-          if (level + 1 == table.levels) ++highest;
-        }
-      }
-      if (any) records.push_back(results.records[record].id);
-    }
-    share_at_highest_level = highest / static_cast<double>(table.records * table.cases);
+  Flagged(const Results& results, std::initializer_list<const Flags*> flags) {
+    for (std::size_t record = 0; record < results.records.size(); ++record)
+      if (std::ranges::any_of(flags, [&](const Flags* of) { return is_set(results, *of, record); }))
+        records.push_back(results.records[record].id);
   }
 
   std::string names() const {
@@ -62,24 +56,35 @@ std::string level_text(const Results& results, const StudyConfig& config, std::s
 /// Uplift is outside the model: which records, from which level, and how much of the study.
 void note_uplift(const Results& results, const StudyConfig& config,
                  std::vector<std::string>& notes) {
-  const Flagged lifts(results, results.histories.fields.uplift);
+  const Flags& uplift = results.histories.fields.uplift;
+  const Flagged lifts(results, {&uplift});
   if (lifts.records.empty()) return;
+  const std::size_t levels = results.levels.size();
+  std::vector<std::size_t> by_level(levels, 0);
+  for (std::size_t i = 0; i < uplift.size(); ++i) by_level[i % levels] += uplift[i];
+  const auto first = std::ranges::find_if(by_level, [](std::size_t n) { return n > 0; });
+  const double share =
+      static_cast<double>(by_level.back() * levels) / static_cast<double>(uplift.size());
   notes.push_back(fmt::format(
       "UPLIFT: {} of {} records ({}) lift the array off its roof in some histories, from {} on; at "
       "the highest level in {} of all. Uplift is outside the model: slip there is that of a block "
       "without friction while lifted (shares: tables)",
       lifts.records.size(), results.records.size(), lifts.names(),
-      level_text(results, config, lifts.first_level), percent(lifts.share_at_highest_level)));
+      level_text(results, config, static_cast<std::size_t>(first - by_level.begin())),
+      percent(share)));
 }
 
 void note_failed(const Results& results, std::vector<std::string>& notes) {
-  const auto& failed = results.histories.fields.failed;
-  const auto count = std::ranges::count(failed, 1);
-  if (count == 0) return;
+  const Flags &failed = results.histories.fields.failed,
+              &in_search = results.histories.fields.search_failed;
+  const Flagged fails(results, {&failed, &in_search});
+  if (fails.records.empty()) return;
   notes.push_back(fmt::format(
-      "NOT CONVERGED: {} of {} histories, of the records {}. Their slip is unknown and counted as "
-      "above every clearance; please report the study",
-      count, failed.size(), Flagged(results, failed).names()));
+      "NOT CONVERGED: {} of {} histories, and some in search of {} of {} capacities, of the "
+      "records "
+      "{}. Their slip is unknown and counted as above every clearance; please report the study",
+      std::ranges::count(failed, 1), failed.size(), std::ranges::count(in_search, 1),
+      in_search.size(), fails.names()));
 }
 
 /// Where the suite's average touches the design spectrum, and by how much it exceeds it elsewhere.

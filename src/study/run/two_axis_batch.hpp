@@ -1,24 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <map>
 #include <memory>
-#include <utility>
 #include <vector>
 
 #include "glissade/block/two_axis_lanes.hpp"
 
 namespace glissade {
 
-/// The histories of one case that a batch has run, by level.
-struct TwoAxisKnown {
-  struct Entry {
-    double level;
-    TwoAxisPeak peak;
-    std::vector<Crossing> crossings;
-  };
-  std::vector<Entry> entries;
-
-  const Entry* find(double level) const;
+/// A history that a batch has run, or is to run.
+struct TwoAxisRun {
+  bool is_run = false;
+  TwoAxisPeak peak = {};
+  std::vector<Crossing> crossings = {};
 };
 
 /// Histories of several cases under one record, collected and run together. What a history gives
@@ -27,9 +22,10 @@ class TwoAxisBatch {
  public:
   explicit TwoAxisBatch(std::span<const double> thresholds_m = {}) : thresholds_m_(thresholds_m) {}
 
-  /// @param known gets the result at the next run()
+  /// Nothing where the level is known or added already.
+  /// @param known those of the case by level; gets the result at the next run()
   void add(const std::shared_ptr<TwoAxisLanes>& lanes, const TwoAxisScene& scene, double level,
-           TwoAxisKnown& known);
+           std::map<double, TwoAxisRun>& known);
   void run();
 
  private:
@@ -37,7 +33,7 @@ class TwoAxisBatch {
   struct Group {
     std::shared_ptr<TwoAxisLanes> lanes;
     std::vector<TwoAxisScene> scenes = {};
-    std::vector<std::pair<double, TwoAxisKnown*>> wanted = {};  // by scene: which level, where to
+    std::vector<TwoAxisRun*> wanted = {};  ///< by scene
   };
 
   std::span<const double> thresholds_m_;

@@ -28,6 +28,7 @@ inline UnitResult journal_unit(const Plan& plan, std::uint64_t unit) {
   result.fields.uplift.assign(2 * cases, 0);
   result.fields.failed.assign(2 * cases, 1);
   result.fields.capacity.assign(cases, 0.7);
+  result.fields.search_failed.assign(cases, 0);
   return result;
 }
 

@@ -3,12 +3,15 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <functional>
 
 #include "glissade/block/slide.hpp"
 #include "glissade/building/roof_motion.hpp"
 #include "glissade/core/finite.hpp"
 #include "glissade/core/not_converged.hpp"
+#include "run/capacities.hpp"
 #include "run/histories.hpp"
 #include "unit/study/small_study.hpp"
 
@@ -46,16 +49,68 @@ TEST(execute, gives_the_slip_that_building_and_block_give) {
   EXPECT_GT(slid, 500);
 }
 
+/// Histories, some of which do not converge.
+struct Failing : Histories {
+  using Fails = std::function<bool(double)>;
+  std::unique_ptr<Histories> of;
+  Fails fails;
+  std::vector<double> run_at, failed_at;  ///< levels, in order
+
+  Failing(std::unique_ptr<Histories> others, Fails predicate)
+      : of(std::move(others)), fails(std::move(predicate)) {}
+  bool does_not_slide(double level) const override { return of->does_not_slide(level); }
+  void prepare(double level) override { of->prepare(level); }
+  bool is_ready(double level) const override { return fails(level) || of->is_ready(level); }
+  History at(double level, std::span<Crossing> crossings, WorkCount& count) override {
+    (fails(level) ? failed_at : run_at).push_back(level);
+    if (fails(level)) throw NotConverged("a made-up failure");
+    return of->at(level, crossings, count);
+  }
+  std::array<double, 2> closing_m(double) const override { return {}; }
+  double tipping_level(const RigidBase&) const override { return infinity; }
+};
+
+/// Slip c (level - 0.2)^2.
+struct Parabola : Histories {
+  double c;
+  explicit Parabola(double slip_m) : c(slip_m) {}
+  bool does_not_slide(double level) const override { return level <= 0.2; }
+  History at(double level, std::span<Crossing>, WorkCount& count) override {
+    ++count.integrated;
+    return {.peak_displacement_m = c * (level - 0.2) * (level - 0.2)};
+  }
+  std::array<double, 2> closing_m(double) const override { return {}; }
+  double tipping_level(const RigidBase&) const override { return infinity; }
+};
+
+/// Levels and capacities as `execute` finds them.
+struct Found {
+  HistoryFields fields;
+  WorkCount count;
+  std::vector<double> run_at, failed_at;  ///< in search of the capacities
+};
+Found find(const StudyConfig& config, std::unique_ptr<Histories> histories, Failing::Fails fails,
+           TwoAxisBatch& batch) {
+  Found found;
+  std::vector<std::unique_ptr<Histories>> cases;
+  cases.push_back(std::make_unique<Failing>(std::move(histories), std::move(fails)));
+  auto& failing = static_cast<Failing&>(*cases.front());
+  for (const double level : config.intensity.levels)
+    found.fields.peak_displacement_m.push_back(
+        failing.does_not_slide(level)
+            ? 0.0
+            : run_history(failing, level, {}, found.count).peak_displacement_m);
+  failing.run_at.clear();
+  failing.failed_at.clear();
+  find_capacities(config, cases, batch, found.fields, found.count);
+  found.run_at = failing.run_at;
+  found.failed_at = failing.failed_at;
+  return found;
+}
+
 TEST(execute, counts_a_history_that_does_not_converge_and_goes_on) {
-  struct DoesNotConverge : Histories {
-    bool does_not_slide(double) const override { return false; }
-    History at(double level, std::span<Crossing>, WorkCount&) override {
-      if (level == 2.0) throw NotConverged("a made-up failure");
-      return {.peak_displacement_m = 0.1};
-    }
-    std::array<double, 2> closing_m(double) const override { return {}; }
-    double tipping_level(const RigidBase&) const override { return infinity; }
-  } histories;
+  Failing histories(std::make_unique<Parabola>(0.1), [](double level) { return level == 2.0; });
+  Failing no_number(std::make_unique<Parabola>(std::nan("")), [](double) { return false; });
   WorkCount count;
   for (const double level : {1.0, 2.0, 3.0}) {
     const History history = run_history(histories, level, {}, count);
@@ -63,6 +118,102 @@ TEST(execute, counts_a_history_that_does_not_converge_and_goes_on) {
     EXPECT_EQ(std::isinf(history.peak_displacement_m), level == 2.0);
   }
   EXPECT_EQ(count.failed, 1u);
+  EXPECT_TRUE(run_history(no_number, 1.0, {}, count).failed);
+}
+
+/// What is expected of a search over failing histories, beside the capacity without failures.
+void expect_on_the_unsafe_side(const Found& found, const StudyConfig& config, double sound) {
+  ASSERT_EQ(found.fields.capacity.size(), 1u);
+  const double capacity = found.fields.capacity[0], highest = config.intensity.levels.back();
+  const double tolerance = 1.0001 * 1e-4 * highest;
+  EXPECT_GT(capacity, 0.0);
+  EXPECT_LE(capacity, sound + tolerance);
+  for (const double level : found.run_at) EXPECT_TRUE(0.0 <= level && level < highest) << level;
+  for (const double level : found.failed_at) EXPECT_LE(capacity, level);
+  EXPECT_EQ(found.fields.search_failed[0], found.failed_at.empty() ? 0 : 1);
+}
+
+// Two levels between which the threshold is reached, near them and far apart.
+TEST(execute, ends_every_search_in_which_histories_do_not_converge_on_the_unsafe_side) {
+  StudyConfig config = small_config();
+  TwoAxisBatch none;
+  int inside = 0;
+  for (const double low : {0.1, 0.25, 0.5, 0.9, 0.99})
+    for (const double high : {1.0, 1.1, 2.0, 10.0})
+      for (const double share : {0.001, 0.1, 0.5, 0.9, 0.999})
+        for (const double c : {1e-6, 1.0, 1e6}) {
+          config.intensity.levels = {low, high};
+          const double exact = low + share * (high - low);
+          if (exact <= 0.2) continue;
+          config.fragility->thresholds_m = {c * (exact - 0.2) * (exact - 0.2)};
+          const auto with = [&](const Failing::Fails& fails) {
+            return find(config, std::make_unique<Parabola>(c), fails, none);
+          };
+          const Found sound = with([](double) { return false; });
+          const double capacity = sound.fields.capacity[0];
+          EXPECT_NEAR(capacity, exact, 1e-4 * exact);
+          EXPECT_EQ(sound.count.failed, 0u);
+          const Found upper = with([&](double level) { return level == high; });
+          EXPECT_NEAR(upper.fields.capacity[0], exact, 1e-4 * exact);
+          EXPECT_EQ(upper.count.failed, 1u);
+          expect_on_the_unsafe_side(upper, config, capacity);
+          for (const double from : {low + 0.3 * (high - low), exact, std::max(low, 0.2)})
+            expect_on_the_unsafe_side(with([&](double level) { return level > from; }), config,
+                                      std::min(capacity, from));
+          for (const double level : sound.run_at) {
+            const Found one = with([&](double at) { return at == level; });
+            expect_on_the_unsafe_side(one, config, capacity);
+            EXPECT_EQ(one.count.failed, one.failed_at.size());
+            EXPECT_LE(one.failed_at.size(), 1u) << "run again";
+            inside += one.failed_at.empty() ? 0 : 1;
+          }
+        }
+  EXPECT_GT(inside, 400);
+}
+
+TEST(execute, ends_a_search_in_which_histories_of_any_kernel_do_not_converge) {
+  const auto with = [](auto change) {
+    StudyConfig config = small_config();
+    config.sampling.samples = 2;
+    config.fragility->thresholds_m = {0.05};
+    change(config);
+    return config;
+  };
+  for (StudyConfig config :
+       {with([](StudyConfig&) {}),
+        with([](StudyConfig& c) { c.quantities.at("building", "mass_ratio") = fixed(0.1); }),
+        with([](StudyConfig& c) { c.model.axes = SlidingAxes::two; }), with([](StudyConfig& c) {
+          c.model.axes = SlidingAxes::two;
+          c.base_shear = true;
+        })}) {
+    const Plan plan = small_plan(config);
+    RoofStore roofs(plan, Skipping::all);
+    for (std::size_t record = 0; record < plan.records.size(); ++record) {
+      const std::vector<std::size_t> building{plan.building[0]};
+      const CaseRoof roof = roofs.under(record, building)[0];
+      const auto find_with = [&](const Failing::Fails& fails) {
+        TwoAxisBatch batch;
+        return find(plan.config, histories_of(plan, roofs, record, 0, roof, batch, {}), fails,
+                    batch);
+      };
+      const Found sound = find_with([](double) { return false; });
+      const double capacity = sound.fields.capacity[0];
+      ASSERT_TRUE(std::isfinite(capacity)) << "reached at no level";
+      ASSERT_FALSE(sound.run_at.empty());
+      const auto& levels = config.intensity.levels;
+      const double high = *std::ranges::lower_bound(levels, capacity);
+      const Found upper = find_with([&](double level) { return level == high; });
+      EXPECT_NEAR(upper.fields.capacity[0], capacity, 2e-4 * capacity);
+      expect_on_the_unsafe_side(upper, config, capacity);
+      for (const double from : {0.3, 0.9 * capacity})
+        expect_on_the_unsafe_side(find_with([&](double level) { return level > from; }), config,
+                                  from);
+      const double third = sound.run_at[std::min<std::size_t>(2, sound.run_at.size() - 1)];
+      const Found one = find_with([&](double level) { return level == third; });
+      expect_on_the_unsafe_side(one, config, capacity);
+      EXPECT_EQ(one.count.failed, 1u);
+    }
+  }
 }
 
 TEST(execute, finds_capacities_at_which_slip_equals_the_clearance) {

@@ -181,6 +181,7 @@ Results reduce_made_up(Fill fill) {
       fill(work.record, plan.order[work.first + i], unit.fields);
       unit.fields.uplift.insert(unit.fields.uplift.end(), 3, 0);
       unit.fields.failed.resize(unit.fields.uplift.size(), 0);
+      unit.fields.search_failed.resize(unit.fields.capacity.size(), 0);
     }
     units.push_back(unit);
   }
@@ -251,7 +252,7 @@ TEST(reduce, reports_that_every_history_slides_freely) {
 }
 
 // One history of record 1 does not converge at 2 g: its slip is unknown there, and counts as above
-// every clearance.
+// every clearance. Neither does one of record 2 in search of its capacity.
 TEST(reduce,
      counts_a_history_that_does_not_converge_as_above_every_threshold_and_names_its_record) {
   const auto made_up = [](bool fails) {
@@ -260,6 +261,7 @@ TEST(reduce,
       add(fields, {0.0, failed ? infinity : 0.05, 0.3},
           (failed ? 1.5 : 2.5) + 0.1 * static_cast<double>(record + sample));
       fields.failed.insert(fields.failed.end(), {0, failed ? std::uint8_t{1} : std::uint8_t{0}, 0});
+      fields.search_failed.push_back(fails && record == 2 && sample == 0 ? 1 : 0);
     });
   };
   const Results results = made_up(true), without = made_up(false);
@@ -271,8 +273,8 @@ TEST(reduce,
   EXPECT_EQ(results.runs[0].slip[1].median_m, 0.05);
   ASSERT_EQ(results.notes.size(), without.notes.size() + 1);
   const auto names_it = [](const std::string& note) {
-    return note.find("1 of 36") != note.npos && note.find("motion1") != note.npos &&
-           note.find("motion0") == note.npos;
+    return note.find("1 of 36 histories, and some in search of 1 of 12 capacities") != note.npos &&
+           note.find("motion1, motion2") != note.npos && note.find("motion0") == note.npos;
   };
   EXPECT_EQ(std::ranges::count_if(results.notes, names_it), 1);
   EXPECT_EQ(std::ranges::count_if(without.notes, names_it), 0);

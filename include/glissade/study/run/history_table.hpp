@@ -26,6 +26,7 @@ struct HistoryFields {
   HistoryValues<double> shear_along, shear_across;
   HistoryValues<std::uint8_t> uplift, tips, failed;
   HistoryValues<double> capacity;
+  HistoryValues<std::uint8_t> search_failed;
   HistoryValues<double> crossing_time_s, crossing_speed_mps;
 };
 
@@ -92,6 +93,10 @@ void for_each_history_field(Visit visit) {
   visit(Number{"capacity", "",
                "lowest intensity that reaches the threshold; inf: not reached; 0: slides freely",
                Depth::thresholds, &HistoryFields::capacity});
+  visit(Flag{"search_failed", "-",
+             "1 where a history in search of the capacity did not converge: it counts as one that "
+             "reaches the threshold",
+             Depth::thresholds, &HistoryFields::search_failed});
   visit(Number{
       "crossing_time_s", "s",
       "time of the first crossing of the threshold from the record's begin; nan: not reached",
