@@ -36,19 +36,6 @@ struct Regimes {
     if constexpr (yields) v = hn::IfThenElse(Yielding(), Number(tables.regimes[3]->*field), v);
     return v;
   }
-  /// Of a table of each regime.
-  HWY_INLINE V At(const double* LaneRegime::*table, I node) const {
-    const Indices di;
-    const double* base = tables.regimes[0]->*table;
-    I at = hn::ShiftLeft<3>(node);
-    for (std::size_t k = 1; k < count; ++k) {
-      const auto far = reinterpret_cast<std::uintptr_t>(tables.regimes[k]->*table) -
-                       reinterpret_cast<std::uintptr_t>(base);
-      at = hn::Add(at, hn::IfThenElseZero(hn::RebindMask(di, is[k]),
-                                          hn::Set(di, static_cast<std::int64_t>(far))));
-    }
-    return hn::GatherOffset(Doubles(), base, at);
-  }
   HWY_INLINE Mask Down() const {
     if constexpr (yields) return hn::Or(is[1], is[4]);
     return is[1];
@@ -100,6 +87,24 @@ struct Rows {
   }
   HWY_INLINE I Node() const { return hn::Load(Indices(), lanes.node + first); }
 };
+
+/// The responses at the lanes' nodes, each by the table of its regime.
+struct Responses {
+  V x, y;
+};
+HWY_INLINE Responses ResponsesAt(const LaneTables& tables, V index, I node) {
+  const Doubles d;
+  alignas(64) double regime[8], x[8], y[8];
+  alignas(64) std::int64_t at[8];
+  hn::Store(index, d, regime);
+  hn::Store(node, Indices(), at);
+  for (std::size_t k = 0; k < hn::Lanes(d); ++k) {
+    const LaneRegime& of_lane = *tables.regimes[static_cast<unsigned>(regime[k])];
+    x[k] = of_lane.x[at[k]];
+    y[k] = of_lane.y[at[k]];
+  }
+  return {hn::Load(d, x), hn::Load(d, y)};
+}
 
 /// The ground at the lanes' nodes.
 struct NodeValues {
@@ -197,9 +202,10 @@ HWY_INLINE void SetReference(const Rows& rows, const LaneTables& tables, V index
                              const Ends& ends, const Present& now, V intensity, Mask ended) {
   CoupledLanes& l = rows.lanes;
   const Regimes<yields> regimes(tables, index);
+  const Responses response = ResponsesAt(tables, index, node);
   const V re = (now.x + regimes.Get(&LaneRegime::weight) * Number(tables.gravity_mps2)) -
-               intensity * regimes.At(&LaneRegime::x, node),
-          rate = now.y - intensity * regimes.At(&LaneRegime::y, node),
+               intensity * response.x,
+          rate = now.y - intensity * response.y,
           im = (regimes.Get(&LaneRegime::sigma_re) * re - rate) * regimes.Get(&LaneRegime::per_im);
   rows.Set(l.free_re, ended, re);
   rows.Set(l.free_im, ended, im);

@@ -24,7 +24,7 @@ class ImplicitSeries : public RoofSeries<roof, cubic, roof == RoofKind::rigid ? 
   static constexpr int load_terms = roof == RoofKind::rigid ? 2 : roof_order;
   static constexpr bool coupled = roof == RoofKind::coupled;
   using Base = RoofSeries<roof, cubic, load_terms>;
-  using Base::c;
+  using Base::c, Base::here;
 
  public:
   using Base::p_s, Base::p_y, Base::v_s, Base::v_y, Base::weight;
@@ -32,11 +32,12 @@ class ImplicitSeries : public RoofSeries<roof, cubic, roof == RoofKind::rigid ? 
   V end_s, end_y;  // velocity at the step's end
 
   /// The roof as if the block's rate stayed what it is at the begin.
-  HWY_INLINE ImplicitSeries(const Constants<Row>& constants, const LaneMotion<Row>& m,
+  HWY_INLINE ImplicitSeries(const Constants<Rows>& constants, const LaneMotion<Rows>& m, Here lanes,
                             const Ramped& first, const Ramped& second, const Ramped& vertical,
                             V length)
-      : Base(constants, m, first, second, vertical, length) {
-    speed = hn::Sqrt(m.v_s() * m.v_s() + (c.aspect() * m.v_y()) * (c.aspect() * m.v_y()));
+      : Base(constants, m, lanes, first, second, vertical, length) {
+    speed = hn::Sqrt(here(m.v_s) * here(m.v_s) +
+                     (here(c.aspect) * here(m.v_y)) * (here(c.aspect) * here(m.v_y)));
     v_s[2] = v_s[3] = v_y[2] = v_y[3] = hn::Zero(Doubles());
     this->template Term<0>();
     BeginRate();
@@ -114,7 +115,7 @@ class ImplicitSeries : public RoofSeries<roof, cubic, roof == RoofKind::rigid ? 
     const V along = hn::Div(error_s * end_s + error_y * end_y, hn::IfThenElse(rests, one, speed2));
     const V along_s = along * end_s, along_y = along * end_y;
     const V stiffness =
-        (t * c.per_kappa_y()) * (hn::Max(end_weight, zero) * hn::Min(c.aspect(), one));
+        (t * here(c.per_kappa_y)) * (hn::Max(end_weight, zero) * hn::Min(here(c.aspect), one));
     const V end_speed = hn::Sqrt(speed2);
     const V left = hn::IfThenElse(rests, one, hn::Div(end_speed, end_speed + stiffness));
     return changed +
@@ -139,8 +140,8 @@ class ImplicitSeries : public RoofSeries<roof, cubic, roof == RoofKind::rigid ? 
       const V length = this->h * f;
       return omega_rho * ((twice_zeta + omega * length) * length);
     };
-    return of(c.omega_1(), c.omega_rho_1(), c.twice_zeta_1()) +
-           of(c.omega_2(), c.omega_rho_2(), c.twice_zeta_2());
+    return of(here(c.omega_1), here(c.omega_rho_1), here(c.twice_zeta_1)) +
+           of(here(c.omega_2), here(c.omega_rho_2), here(c.twice_zeta_2));
   }
 
   /// Where the iteration of a stage has ended.
@@ -157,10 +158,10 @@ class ImplicitSeries : public RoofSeries<roof, cubic, roof == RoofKind::rigid ? 
   HWY_INLINE Velocity Braked(Velocity known, V length, V load_s, V load_y, V n, V small,
                              V& end_sigma, V& end_lambda) const {
     const V zero = hn::Zero(Doubles()), one = Number(1.0);
-    const V a_s = coupled ? c.kappa() : one, a_y = coupled ? c.per_mass() : one;
+    const V a_s = coupled ? here(c.kappa) : one, a_y = coupled ? here(c.per_mass) : one;
     const V first_lambda = hn::Max(length * n, zero);  // where v_s = known_s
     V q_s = known.s, q_y = known.y, lambda_0 = length * n, at_rest = lambda_0;
-    const V coupling = c.mu() * c.rho_sin_cos();
+    const V coupling = here(c.mu) * here(c.rho_sin_cos);
     if constexpr (coupled) {
       q_s = a_s * q_s;
       q_y = a_y * q_y;
@@ -170,10 +171,10 @@ class ImplicitSeries : public RoofSeries<roof, cubic, roof == RoofKind::rigid ? 
     q_s = q_s + length * load_s;
     q_y = q_y + length * load_y;
     at_rest = hn::Max(at_rest, zero);
-    const V on_circle = c.per_aspect() * q_y;
+    const V on_circle = here(c.per_aspect) * q_y;
     const Mask slides = hn::Gt(q_s * q_s + on_circle * on_circle, at_rest * at_rest);
 
-    const V square = c.aspect() * c.aspect(), forced = c.aspect() * q_y;
+    const V square = here(c.aspect) * here(c.aspect), forced = here(c.aspect) * q_y;
     Mask inexact = slides;
     if constexpr (anew) {
       const V weight_s = q_s * q_s, weight_y = forced * forced, weights = weight_s + weight_y;
@@ -186,7 +187,7 @@ class ImplicitSeries : public RoofSeries<roof, cubic, roof == RoofKind::rigid ? 
                                   a_s * weight_s + a_y * weight_y));
       } else {
         end_sigma = hn::Max(zero, size - first_lambda);  // exact on a circle
-        inexact = hn::And(slides, hn::Ne(c.aspect(), one));
+        inexact = hn::And(slides, hn::Ne(here(c.aspect), one));
       }
     }
     constexpr int iterations = 12;
@@ -234,15 +235,16 @@ class ImplicitSeries : public RoofSeries<roof, cubic, roof == RoofKind::rigid ? 
     const Mask rests = hn::Eq(speed, zero);
     const V per_speed = hn::Div(one, hn::IfThenElse(rests, one, speed));
     const V n = hn::Max(weight[0], zero);
-    const V e_s = v_s[0] * per_speed, e_y = (c.aspect() * v_y[0]) * per_speed;
+    const V e_s = v_s[0] * per_speed, e_y = (here(c.aspect) * v_y[0]) * per_speed;
     V s = p_s[0] - n * e_s, brakes = n;
     if constexpr (coupled) {
-      const V coupling = hn::IfThenElseZero(hn::Gt(weight[0], zero), c.mu() * c.rho_sin_cos());
-      s = hn::Div(s, c.kappa() - coupling * e_s);
+      const V coupling =
+          hn::IfThenElseZero(hn::Gt(weight[0], zero), here(c.mu) * here(c.rho_sin_cos));
+      s = hn::Div(s, here(c.kappa) - coupling * e_s);
       brakes = hn::Max(n - coupling * s, zero);
     }
-    V y = p_y[0] - brakes * (c.aspect() * e_y);
-    if constexpr (coupled) y = y * c.per_kappa_y();
+    V y = p_y[0] - brakes * (here(c.aspect) * e_y);
+    if constexpr (coupled) y = y * here(c.per_kappa_y);
     if (HWY_UNLIKELY(!hn::AllFalse(Doubles(), rests))) {
       const Velocity start = Braked<true>({zero, zero}, one, p_s[0], p_y[0], weight[0], zero,
                                           stage_sigma[0], stage_lambda[0]);

@@ -34,10 +34,12 @@ constexpr int roof_order = 10;  // of the building
 
 inline V Number(double value) { return hn::Set(Doubles(), value); }
 
-/// Numbers of the lanes of a vector, read from memory where they are used (LaneStates::from).
-struct Row {
-  double numbers[LaneStates::count];
-  HWY_INLINE V operator()() const { return hn::Load(Doubles(), numbers); }
+using Rows = LaneStates::Lanes;
+
+/// The lanes of a vector: their numbers of a row, read from memory where they are used.
+struct Here {
+  std::size_t first;
+  HWY_INLINE V operator()(const Rows& row) const { return hn::Load(Doubles(), row + first); }
 };
 
 /// Loops over orders are unrolled: each order is a constant, and its series
@@ -89,28 +91,28 @@ class RoofSeries {
   V p_s[load_terms], p_y[load_terms];  // load
   V weight[load_terms];                // n on a roof that the block does not accelerate
 
-  HWY_INLINE RoofSeries(const Constants<Row>& constants, const LaneMotion<Row>& m,
+  HWY_INLINE RoofSeries(const Constants<Rows>& constants, const LaneMotion<Rows>& m, Here lanes,
                         const Ramped& first, const Ramped& second, const Ramped& vertical, V length)
-      : c(constants), h(length), ground_1(first), ground_2(second), up(vertical) {
-    v_s[0] = m.v_s();
-    v_y[0] = m.v_y();
-    h_c = h * c.c();
-    h_s = h * c.s();
-    h_c_across = h * c.c_across();
-    h_s_across = h * c.s_across();
+      : c(constants), here(lanes), h(length), ground_1(first), ground_2(second), up(vertical) {
+    v_s[0] = here(m.v_s);
+    v_y[0] = here(m.v_y);
+    h_c = h * here(c.c);
+    h_s = h * here(c.s);
+    h_c_across = h * here(c.c_across);
+    h_s_across = h * here(c.s_across);
     if constexpr (roof == RoofKind::coupled) {
-      b_1s = c.omega_rho_1() * (c.c() * c.cosine2());
-      b_1y = c.omega_rho_1() * (c.s() * c.cosine());
-      b_2s = c.omega_rho_2() * (c.s() * c.cosine2());
-      b_2y = c.omega_rho_2() * (c.c() * c.cosine());
+      b_1s = here(c.omega_rho_1) * (here(c.c) * here(c.cosine2));
+      b_1y = here(c.omega_rho_1) * (here(c.s) * here(c.cosine));
+      b_2s = here(c.omega_rho_2) * (here(c.s) * here(c.cosine2));
+      b_2y = here(c.omega_rho_2) * (here(c.c) * here(c.cosine));
     }
     if constexpr (roof != RoofKind::rigid) {
-      phase_1 = c.omega_1() * h;
-      phase_2 = c.omega_2() * h;
-      x_1[0] = m.x_1();
-      y_1[0] = m.y_1();
-      x_2[0] = m.x_2();
-      y_2[0] = m.y_2();
+      phase_1 = here(c.omega_1) * h;
+      phase_2 = here(c.omega_2) * h;
+      x_1[0] = here(m.x_1);
+      y_1[0] = here(m.y_1);
+      x_2[0] = here(m.x_2);
+      y_2[0] = here(m.y_2);
     }
   }
 
@@ -122,7 +124,8 @@ class RoofSeries {
   }
 
  protected:
-  const Constants<Row>& c;
+  const Constants<Rows>& c;
+  Here here;
   V h;
 
  private:
@@ -140,7 +143,7 @@ class RoofSeries {
     V rate = y[k];
     if constexpr (roof == RoofKind::coupled && k < velocity_terms) rate = rate - block_velocity;
     a[k] = hn::Neg(twice_zeta * rate + x[k]);
-    if constexpr (roof == RoofKind::coupled) a[k] = a[k] * c.per_mass();
+    if constexpr (roof == RoofKind::coupled) a[k] = a[k] * here(c.per_mass);
     const V factor = phase * Number(inverse[k + 1]);
     x[k + 1] = factor * rate;
     V rise = a[k];
@@ -156,8 +159,8 @@ class RoofSeries {
       block_rate_1 = b_1s * v_s[k] - b_1y * v_y[k];
       block_rate_2 = b_2s * v_s[k] + b_2y * v_y[k];
     }
-    Respond<k>(x_1, y_1, a_1, phase_1, c.twice_zeta_1(), block_rate_1, ground_1);
-    Respond<k>(x_2, y_2, a_2, phase_2, c.twice_zeta_2(), block_rate_2, ground_2);
+    Respond<k>(x_1, y_1, a_1, phase_1, here(c.twice_zeta_1), block_rate_1, ground_1);
+    Respond<k>(x_2, y_2, a_2, phase_2, here(c.twice_zeta_2), block_rate_2, ground_2);
   }
 
   template <int k>
@@ -173,12 +176,12 @@ class RoofSeries {
     const V along = h_c * a_1[k] + h_s * a_2[k];
     p_y[k] = h_s_across * a_1[k] - h_c_across * a_2[k];
     if constexpr (k < 2) {
-      const V fall = h * (k == 0 ? c.gravity() + up.begin : up.rise);
-      p_s[k] = fall * c.tangent() - along;
-      weight[k] = c.mu() * (fall + c.tangent() * along);
+      const V fall = h * (k == 0 ? here(c.gravity) + up.begin : up.rise);
+      p_s[k] = fall * here(c.tangent) - along;
+      weight[k] = here(c.mu) * (fall + here(c.tangent) * along);
     } else {
       p_s[k] = hn::Neg(along);
-      weight[k] = (c.mu() * c.tangent()) * along;
+      weight[k] = (here(c.mu) * here(c.tangent)) * along;
     }
   }
 };
@@ -193,16 +196,16 @@ class RoofSeries {
 template <RoofKind roof>
 class StepSeries : public RoofSeries<roof, order + 1, order> {
   using Base = RoofSeries<roof, order + 1, order>;
-  using Base::c;
+  using Base::c, Base::here;
 
  public:
   using Base::p_s, Base::p_y, Base::v_s, Base::v_y, Base::weight;
   V speed[order];  // u
 
-  HWY_INLINE StepSeries(const Constants<Row>& constants, const LaneMotion<Row>& m,
+  HWY_INLINE StepSeries(const Constants<Rows>& constants, const LaneMotion<Rows>& m, Here lanes,
                         const Ramped& first, const Ramped& second, const Ramped& vertical, V length)
-      : Base(constants, m, first, second, vertical, length) {
-    aspect2 = c.aspect() * c.aspect();
+      : Base(constants, m, lanes, first, second, vertical, length) {
+    aspect2 = here(c.aspect) * here(c.aspect);
     speed[0] = hn::Sqrt(v_s[0] * v_s[0] + aspect2 * (v_y[0] * v_y[0]));
     per_speed = hn::Div(Number(1.0), speed[0]);
     e_s = v_s[0] * per_speed;
@@ -259,12 +262,12 @@ class StepSeries : public RoofSeries<roof, order + 1, order> {
     ForOrders<1, k + 1>(subtract);
     V d_s, d_y;
     if constexpr (roof == RoofKind::coupled) {
-      const V coupling = c.mu() * c.rho_sin_cos();
-      if constexpr (k == 0) per_kappa = hn::Div(Number(1.0), c.kappa() - coupling * e_s);
+      const V coupling = here(c.mu) * here(c.rho_sin_cos);
+      if constexpr (k == 0) per_kappa = hn::Div(Number(1.0), here(c.kappa) - coupling * e_s);
       d_s = (s - n * e_s) * per_kappa;
       g[k] = (n - coupling * d_s) * per_speed;
       g2[k] = aspect2 * g[k];
-      d_y = (y - g[k] * w_y) * c.per_kappa_y();
+      d_y = (y - g[k] * w_y) * here(c.per_kappa_y);
     } else {
       g[k] = n * per_speed;
       g2[k] = aspect2 * g[k];

@@ -74,12 +74,6 @@ struct LaneStates {
       std::memcpy(reinterpret_cast<char*>(&rows) + (k * count + lane) * sizeof(double),
                   reinterpret_cast<const char*>(&column) + k * sizeof(double), sizeof(double));
   }
-  /// The rows from the lane `first` on: a Row has the place of `count` numbers.
-  template <class Row, template <class> class Fields>
-  static const Fields<Row>& from(const Fields<Lanes>& rows, std::size_t first) {
-    static_assert(sizeof(Fields<Row>) == sizeof(rows));
-    return *reinterpret_cast<const Fields<Row>*>(reinterpret_cast<const double*>(&rows) + first);
-  }
   template <template <class> class Fields>
   static void load(const Fields<Lanes>& rows, std::size_t lane, Fields<double>& column) {
     for (std::size_t k = 0; k < sizeof(column) / sizeof(double); ++k)

@@ -76,49 +76,51 @@ struct LaneInterval {
   V h;
 };
 
-HWY_INLINE LaneInterval LoadInterval(const LaneStates& lanes, const GroundRows& ground,
-                                     std::size_t first, const Constants<Row>& c,
-                                     const LaneMotion<Row>& m) {
+HWY_INLINE LaneInterval LoadInterval(const LaneStates& lanes, const GroundRows& ground, Here here) {
+  const LaneMotion<Rows>& m = lanes.motion;
+  const Constants<Rows>& c = lanes.constants;
   const Doubles d;
   const Indices di;
-  const auto node = hn::Load(di, lanes.node + first);
+  const auto node = hn::Load(di, lanes.node + here.first);
   const auto next = hn::Add(node, hn::Set(di, std::int64_t{1}));
   const auto at = hn::ShiftLeft<2>(hn::Min(next, hn::Set(di, ground.last)));
-  const V end_1 = c.factor_1() * hn::GatherIndex(d, ground.nodes, at);
-  const V end_2 = c.factor_2() * hn::GatherIndex(d, ground.nodes + 1, at);
-  V end_w = m.w();
-  if (ground.vertical) end_w = c.factor_w() * hn::GatherIndex(d, ground.nodes + 2, at);
+  const V end_1 = here(c.factor_1) * hn::GatherIndex(d, ground.nodes, at);
+  const V end_2 = here(c.factor_2) * hn::GatherIndex(d, ground.nodes + 1, at);
+  V end_w = here(m.w);
+  if (ground.vertical) end_w = here(c.factor_w) * hn::GatherIndex(d, ground.nodes + 2, at);
   return {node,
           next,
           hn::RebindMask(d, hn::Lt(node, hn::Set(di, ground.limit))),
           end_1,
           end_2,
           end_w,
-          {m.ground_1(), end_1 - m.ground_1()},
-          {m.ground_2(), end_2 - m.ground_2()},
-          {m.w(), end_w - m.w()},
-          Number(ground.dt_s) * m.left()};
+          {here(m.ground_1), end_1 - here(m.ground_1)},
+          {here(m.ground_2), end_2 - here(m.ground_2)},
+          {here(m.w), end_w - here(m.w)},
+          Number(ground.dt_s) * here(m.left)};
 }
 
 /// Where the block stops within what is left of the interval by a path known in closed form
 /// (LaneHistory::stop).
 template <RoofKind roof, class Series>
-HWY_INLINE Mask Stops(const Series& z, const Constants<Row>& c, const LaneMotion<Row>& m, V h) {
+HWY_INLINE Mask Stops(const Series& z, const Constants<Rows>& c, const LaneMotion<Rows>& m,
+                      Here here, V h) {
   const V zero = hn::Zero(Doubles());
-  V p_s = z.p_s[0], p_y = c.per_aspect() * z.p_y[0], n = z.weight[0];
+  V p_s = z.p_s[0], p_y = here(c.per_aspect) * z.p_y[0], n = z.weight[0];
   V change = hn::Abs(z.p_s[1]) + hn::Abs(z.p_y[1]) + hn::Abs(z.weight[1]);
   V anisotropy = zero;
   if constexpr (roof == RoofKind::coupled) {
-    p_s = p_s * c.per_kappa_y();
-    p_y = p_y * c.per_kappa_y();
-    n = n * c.per_kappa_y();
-    change = change * c.per_kappa_y();
-    anisotropy = n * c.anisotropy();
+    p_s = p_s * here(c.per_kappa_y);
+    p_y = p_y * here(c.per_kappa_y);
+    n = n * here(c.per_kappa_y);
+    change = change * here(c.per_kappa_y);
+    anisotropy = n * here(c.anisotropy);
   }
-  const V v_y = c.per_aspect() * m.v_y();
+  const V v_y = here(c.per_aspect) * here(m.v_y);
   const V margin = n * n - (p_s * p_s + p_y * p_y);
-  const V q = n * hn::Sqrt(m.v_s() * m.v_s() + v_y * v_y) + (p_s * m.v_s() + p_y * v_y);
-  const V allowed = (Number(surely_permitted * 12.0 * stop_tolerance) * c.tolerance()) * m.path();
+  const V q = n * hn::Sqrt(here(m.v_s) * here(m.v_s) + v_y * v_y) + (p_s * here(m.v_s) + p_y * v_y);
+  const V allowed =
+      (Number(surely_permitted * 12.0 * stop_tolerance) * here(c.tolerance)) * here(m.path);
   return hn::And(hn::And(hn::And(hn::Gt(margin, zero), hn::Gt(n, zero)), hn::Lt(q, margin)),
                  hn::Le((h * (q * q)) * (change * q + (Number(6.0) * anisotropy) * margin),
                         allowed * ((margin * margin) * margin)));
@@ -150,15 +152,15 @@ HWY_NOINLINE V FarthestAtTurn(Displacement along, Displacement across, Terms<n> 
 /// Raises what a history has seen so far to the step's end and to what is
 /// between.
 template <int n>
-HWY_INLINE void RaisePeaks(const V (&v_s)[n], const V (&v_y)[n], const LaneMotion<Row>& m,
-                           const Displacement& along, const Displacement& across, Mask goes, V f,
-                           LaneMotion<V>& to) {
+HWY_INLINE void RaisePeaks(const V (&v_s)[n], const V (&v_y)[n], const LaneMotion<Rows>& m,
+                           Here here, const Displacement& along, const Displacement& across,
+                           Mask goes, V f, LaneMotion<V>& to) {
   const V zero = hn::Zero(Doubles());
-  to.farthest2 = hn::Max(m.farthest2(), to.at_s * to.at_s + to.at_y * to.at_y);
-  to.ahead_s = hn::Max(m.ahead_s(), to.at_s);
-  to.back_s = hn::Max(m.back_s(), zero - to.at_s);
-  to.ahead_y = hn::Max(m.ahead_y(), to.at_y);
-  to.back_y = hn::Max(m.back_y(), zero - to.at_y);
+  to.farthest2 = hn::Max(here(m.farthest2), to.at_s * to.at_s + to.at_y * to.at_y);
+  to.ahead_s = hn::Max(here(m.ahead_s), to.at_s);
+  to.back_s = hn::Max(here(m.back_s), zero - to.at_s);
+  to.ahead_y = hn::Max(here(m.ahead_y), to.at_y);
+  to.back_y = hn::Max(here(m.back_y), zero - to.at_y);
 
   // Half the rate of the displacement squared.
   const V out0 = along.begin * (along.scale * v_s[0]) + across.begin * (across.scale * v_y[0]);
@@ -243,20 +245,23 @@ HWY_INLINE void KeepPath(double (&to)[LaneStates::path_terms][LaneStates::count]
 /// Takes the lanes that make the step over the fraction f of the interval's rest, at whose end `to`
 /// has velocity, path and largest speed.
 template <RoofKind roof, class Series, int n>
-HWY_INLINE void Advance(LaneStates& lanes, const GroundRows& ground, std::size_t first,
-                        const LaneInterval& interval, const Constants<Row>& c, const Series& z,
-                        const V (&v_s)[n], const V (&v_y)[n], V f, Mask goes,
-                        const LaneMotion<Row>& m, LaneMotion<V>& to, Stepped& stepped) {
+HWY_INLINE void Advance(LaneStates& lanes, const GroundRows& ground, Here here,
+                        const LaneInterval& interval, const Series& z, const V (&v_s)[n],
+                        const V (&v_y)[n], V f, Mask goes, LaneMotion<V>& to, Stepped& stepped) {
+  const LaneMotion<Rows>& m = lanes.motion;
+  const Constants<Rows>& c = lanes.constants;
+  const std::size_t first = here.first;
   const Doubles d;
   const Indices di;
   const V one = Number(1.0), h = interval.h;
-  const Displacement along{m.at_s(), h * c.cosine2()}, across{m.at_y(), h * c.cosine()};
+  const Displacement along{here(m.at_s), h * here(c.cosine2)},
+      across{here(m.at_y), h * here(c.cosine)};
   to.at_s = along.At(v_s, f);
   to.at_y = across.At(v_y, f);
-  RaisePeaks(v_s, v_y, m, along, across, goes, f, to);
+  RaisePeaks(v_s, v_y, m, here, along, across, goes, f, to);
 
   const Mask whole = hn::Eq(f, one);
-  to.left = hn::IfThenElse(whole, one, m.left() * (one - f));
+  to.left = hn::IfThenElse(whole, one, here(m.left) * (one - f));
   const auto ramp = [&](V end, const Ramped& r) GLISSADE_INLINE_LAMBDA {
     return hn::IfThenElse(whole, end, r.begin + f * r.rise);
   };
@@ -270,7 +275,7 @@ HWY_INLINE void Advance(LaneStates& lanes, const GroundRows& ground, std::size_t
     to.y_2 = Polynomial(z.y_2, f);
   }
   to.forced = hn::Zero(d);
-  const V begin_s = (hn::ConvertTo(d, interval.next) - m.left()) * Number(ground.dt_s);
+  const V begin_s = (hn::ConvertTo(d, interval.next) - here(m.left)) * Number(ground.dt_s);
   Commit<roof>(lanes, first, goes, to);
   const auto moved = hn::RebindMask(di, hn::And(goes, whole));
   hn::Store(hn::IfThenElse(moved, interval.next, interval.node), di, lanes.node + first);
@@ -289,29 +294,30 @@ HWY_INLINE void Advance(LaneStates& lanes, const GroundRows& ground, std::size_t
 
 /// One step of neighbouring lanes by a Taylor series; see Stepped.
 template <RoofKind roof>
-HWY_INLINE Stepped TaylorStep(LaneStates& lanes, const GroundRows& ground, std::size_t first) {
-  const auto& m = LaneStates::from<Row>(lanes.motion, first);
-  const auto& c = LaneStates::from<Row>(lanes.constants, first);
-  LaneInterval i = LoadInterval(lanes, ground, first, c, m);
-  StepSeries<roof> z(c, m, i.ground_1, i.ground_2, i.up, i.h);
+HWY_INLINE Stepped TaylorStep(LaneStates& lanes, const GroundRows& ground, Here here) {
+  const LaneMotion<Rows>& m = lanes.motion;
+  const Constants<Rows>& c = lanes.constants;
+  LaneInterval i = LoadInterval(lanes, ground, here);
+  StepSeries<roof> z(c, m, here, i.ground_1, i.ground_2, i.up, i.h);
 
   LaneMotion<V> to{};
-  to.fastest = hn::Max(m.fastest(), z.speed[0]);
-  const V f = StepFraction(z, Number(series_share) * c.tolerance() * to.fastest);
-  to.path = m.path() + (i.h * f) * z.speed[0];
+  to.fastest = hn::Max(here(m.fastest), z.speed[0]);
+  const V f = StepFraction(z, Number(series_share) * here(c.tolerance) * to.fastest);
+  to.path = here(m.path) + (i.h * f) * z.speed[0];
   to.v_s = Polynomial(z.v_s, f);
   to.v_y = Polynomial(z.v_y, f);
 
-  const Mask slow = hn::Gt(z.weight[0], (Number(stiff) * m.left()) * z.speed[0]);
-  const V alignment = to.v_s * m.v_s() + (c.aspect() * to.v_y) * (c.aspect() * m.v_y());
+  const Mask slow = hn::Gt(z.weight[0], (Number(stiff) * here(m.left)) * z.speed[0]);
+  const V alignment =
+      to.v_s * here(m.v_s) + (here(c.aspect) * to.v_y) * (here(c.aspect) * here(m.v_y));
   const Mask straight = hn::Ge(alignment, Number(least_alignment) * (z.speed[0] * z.speed[0]));
-  const V least = (Number(least_weight) * c.mu()) * (c.gravity() * i.h);
+  const V least = (Number(least_weight) * here(c.mu)) * (here(c.gravity) * i.h);
   const Mask stays = hn::Gt(hn::Min(z.weight[0], z.weight[0] + z.weight[1]), least);
   const Mask smooth = hn::AndNot(slow, hn::And(straight, stays));
-  const Mask event = hn::Or(hn::Not(i.before), Stops<roof>(z, c, m, i.h));
+  const Mask event = hn::Or(hn::Not(i.before), Stops<roof>(z, c, m, here, i.h));
   const Mask goes = hn::AndNot(event, smooth);
   Stepped stepped;
-  Advance<roof>(lanes, ground, first, i, c, z, z.v_s, z.v_y, f, goes, m, to, stepped);
+  Advance<roof>(lanes, ground, here, i, z, z.v_s, z.v_y, f, goes, to, stepped);
   stepped.event = Bits(event);
   stepped.other = Bits(hn::Not(smooth)) & ~stepped.event;
   return stepped;
@@ -319,35 +325,36 @@ HWY_INLINE Stepped TaylorStep(LaneStates& lanes, const GroundRows& ground, std::
 
 /// The fraction of the interval's rest to try.
 template <RoofKind roof>
-HWY_INLINE V TrialFraction(const ImplicitSeries<roof>& z, const Constants<Row>& c,
-                           const LaneMotion<Row>& m, Mask& lifted) {
+HWY_INLINE V TrialFraction(const ImplicitSeries<roof>& z, const Constants<Rows>& c,
+                           const LaneMotion<Rows>& m, Here here, Mask& lifted) {
   const V zero = hn::Zero(Doubles()), one = Number(1.0), half = Number(0.5);
-  const V speed2 = m.v_s() * m.v_s() + m.v_y() * m.v_y(), speed = hn::Sqrt(speed2);
+  const V speed2 = here(m.v_s) * here(m.v_s) + here(m.v_y) * here(m.v_y), speed = hn::Sqrt(speed2);
   const Mask moves = hn::Gt(speed, zero), holds = hn::Gt(z.weight[0], zero);
-  V f = hn::Min(one, hn::Div(m.trial(), m.left()));
-  const Mask unknown = hn::And(hn::And(moves, holds), hn::Eq(m.trial(), Number(never)));
+  V f = hn::Min(one, hn::Div(here(m.trial), here(m.left)));
+  const Mask unknown = hn::And(hn::And(moves, holds), hn::Eq(here(m.trial), Number(never)));
   f = hn::IfThenElse(unknown, hn::Min(one, hn::Div(z.speed, z.weight[0])), f);
 
   // A stage of what comes after a reversal would not see what came before.
   const V last_s = Polynomial(z.p_s, one), last_y = Polynomial(z.p_y, one),
           last_n = Polynomial(z.weight, one);
-  const V per_speed = hn::Div(c.per_kappa_y(), hn::IfThenElse(moves, speed, one));
+  const V per_speed = hn::Div(here(c.per_kappa_y), hn::IfThenElse(moves, speed, one));
   const V first_brakes = per_speed * (hn::Max(z.weight[0], zero) * z.speed -
-                                      (z.p_s[0] * m.v_s() + z.p_y[0] * m.v_y()));
+                                      (z.p_s[0] * here(m.v_s) + z.p_y[0] * here(m.v_y)));
   const V last_brakes =
-      per_speed * (hn::Max(last_n, zero) * z.speed - (last_s * m.v_s() + last_y * m.v_y()));
+      per_speed * (hn::Max(last_n, zero) * z.speed - (last_s * here(m.v_s) + last_y * here(m.v_y)));
   const V growth = hn::Max(zero, last_brakes - first_brakes);
   const V root = hn::Sqrt(first_brakes * first_brakes + Number(2.0) * growth * speed);
   const Mask falls = hn::Gt(first_brakes, zero), will_fall = hn::Gt(growth, zero);
   const V stops_at =
       hn::Div(hn::IfThenElse(falls, Number(2.0) * speed, root - first_brakes),
               hn::IfThenElse(falls, first_brakes + root, hn::IfThenElse(will_fall, growth, one)));
-  const Mask stops = hn::And(hn::Or(falls, will_fall), hn::Gt(speed, c.tolerance() * m.fastest()));
+  const Mask stops =
+      hn::And(hn::Or(falls, will_fall), hn::Gt(speed, here(c.tolerance) * here(m.fastest)));
   f = hn::IfThenElse(stops, hn::Min(f, Number(approach_to_stop) * stops_at), f);
 
   // To where the block lifts off, or lands: where the normal force without friction is zero.
   V terms[sizeof(z.weight) / sizeof(V)];
-  const V slope = c.mu() * hn::Div(c.rho_sin_cos(), c.kappa());
+  const V slope = here(c.mu) * hn::Div(here(c.rho_sin_cos), here(c.kappa));
   ForOrders<0, sizeof(z.weight) / sizeof(V)>([&](auto k) GLISSADE_INLINE_LAMBDA {
     terms[k] = z.weight[k];
     if constexpr (roof == RoofKind::coupled) terms[k] = terms[k] - slope * z.p_s[k];
@@ -372,26 +379,28 @@ HWY_INLINE V TrialFraction(const ImplicitSeries<roof>& z, const Constants<Row>& 
 template <RoofKind roof>
 class ImplicitStep {
  public:
-  HWY_INLINE ImplicitStep(const LaneStates& lanes, const GroundRows& ground, std::size_t first_lane)
-      : first(first_lane),
-        m(LaneStates::from<Row>(lanes.motion, first)),
-        c(LaneStates::from<Row>(lanes.constants, first)),
-        i(LoadInterval(lanes, ground, first, c, m)),
-        z(c, m, i.ground_1, i.ground_2, i.up, i.h) {
+  HWY_INLINE ImplicitStep(const LaneStates& lanes, const GroundRows& ground, std::size_t first)
+      : here{first},
+        m(lanes.motion),
+        c(lanes.constants),
+        i(LoadInterval(lanes, ground, here)),
+        z(c, m, here, i.ground_1, i.ground_2, i.up, i.h) {
     const V zero = hn::Zero(Doubles());
     // A speed within the tolerance, against the load (LaneHistory::reverse).
-    speed = z.Length(m.v_s(), m.v_y());
-    const Mask slowest = hn::And(
-        hn::Le(speed, c.tolerance() * m.fastest()),
-        hn::And(hn::Gt(z.weight[0], zero), hn::Le(z.p_s[0] * m.v_s() + z.p_y[0] * m.v_y(), zero)));
-    const Mask may_end = hn::Eq(m.forced(), zero);
-    event = hn::Or(hn::Not(i.before), hn::And(may_end, hn::Or(slowest, Stops<roof>(z, c, m, i.h))));
-    f = TrialFraction(z, c, m, lifted);
+    speed = z.Length(here(m.v_s), here(m.v_y));
+    const Mask slowest =
+        hn::And(hn::Le(speed, here(c.tolerance) * here(m.fastest)),
+                hn::And(hn::Gt(z.weight[0], zero),
+                        hn::Le(z.p_s[0] * here(m.v_s) + z.p_y[0] * here(m.v_y), zero)));
+    const Mask may_end = hn::Eq(here(m.forced), zero);
+    event = hn::Or(hn::Not(i.before),
+                   hn::And(may_end, hn::Or(slowest, Stops<roof>(z, c, m, here, i.h))));
+    f = TrialFraction(z, c, m, here, lifted);
     constexpr double epsilons = 16.0 * std::numeric_limits<double>::epsilon();
     const V load = hn::Abs(z.p_s[0]) + hn::Abs(z.p_y[0]) + hn::Abs(z.weight[0]);
     rounding = (Number(epsilons) * f) * load;
     constexpr double negligible = 1e-3;  // of the permitted error
-    z.Begin(f, Number(negligible) * Allowed(m.fastest()));
+    z.Begin(f, Number(negligible) * Allowed(here(m.fastest)));
   }
 
   HWY_INLINE Stepped Finish(LaneStates& lanes, const GroundRows& ground) {
@@ -401,8 +410,8 @@ class ImplicitStep {
     to.v_s = z.end_s;
     to.v_y = z.end_y;
     const V end_speed = z.Length(z.end_s, z.end_y);
-    to.fastest = hn::Max(m.fastest(), end_speed);
-    to.path = m.path() + (Number(0.5) * (i.h * f)) * (speed + end_speed);
+    to.fastest = hn::Max(here(m.fastest), end_speed);
+    to.path = here(m.path) + (Number(0.5) * (i.h * f)) * (speed + end_speed);
 
     const V error = z.Error(), allowed = Allowed(to.fastest);
     const Mask accurate = hn::Or(hn::Le(error, allowed), hn::Le(f, Number(shortest_step)));
@@ -413,31 +422,32 @@ class ImplicitStep {
     const V factor =
         hn::Min(hn::Max(Number(step_safety) * hn::Sqrt(hn::Sqrt(ratio)), Number(least_step_factor)),
                 Number(most_step_factor));
-    const V trial = hn::IfThenElse(finite, (f * m.left()) * factor, zero);
-    const V next_trial = hn::IfThenElse(event, m.trial(), trial);
+    const V trial = hn::IfThenElse(finite, (f * here(m.left)) * factor, zero);
+    const V next_trial = hn::IfThenElse(event, here(m.trial), trial);
 
     const V end_weight = Polynomial(z.weight, f);
-    const V end_m_speed = z.Length(z.end_s, c.aspect() * z.end_y);
-    const Mask fast = hn::Lt(end_weight, (Number(smooth) * m.left()) * end_m_speed);
-    const Mask pressed = hn::Gt(end_weight, (Number(enough_weight) * c.mu()) * (c.gravity() * i.h));
+    const V end_m_speed = z.Length(z.end_s, here(c.aspect) * z.end_y);
+    const Mask fast = hn::Lt(end_weight, (Number(smooth) * here(m.left)) * end_m_speed);
+    const Mask pressed =
+        hn::Gt(end_weight, (Number(enough_weight) * here(c.mu)) * (here(c.gravity) * i.h));
     const Mask rests = hn::Eq(end_speed, zero);
     Stepped stepped;
     stepped.event = Bits(hn::Or(hn::Or(event, hn::Not(finite)), hn::And(goes, rests)));
     stepped.other = Bits(hn::And(goes, hn::And(fast, pressed))) & ~stepped.event;
     stepped.lifted = Bits(lifted);
-    Advance<roof>(lanes, ground, first, i, c, z, z.v_s, z.v_y, f, goes, m, to, stepped);
-    hn::Store(next_trial, d, lanes.motion.trial + first);
+    Advance<roof>(lanes, ground, here, i, z, z.v_s, z.v_y, f, goes, to, stepped);
+    hn::Store(next_trial, d, lanes.motion.trial + here.first);
     return stepped;
   }
 
  private:
   HWY_INLINE V Allowed(V fastest) const {
-    return (Number(implicit_share) * c.tolerance()) * fastest + rounding;
+    return (Number(implicit_share) * here(c.tolerance)) * fastest + rounding;
   }
 
-  std::size_t first;
-  const LaneMotion<Row>& m;
-  const Constants<Row>& c;
+  Here here;
+  const LaneMotion<Rows>& m;
+  const Constants<Rows>& c;
   LaneInterval i;
   V f, speed, rounding;
   Mask event, lifted;
@@ -467,7 +477,7 @@ template <RoofKind roof>
 Stepped TaylorSteps(LaneStates& lanes, const GroundRows& ground) {
   Stepped all;
   ForVectors(lanes.active, [&](std::size_t first) GLISSADE_INLINE_LAMBDA {
-    Add(TaylorStep<roof>(lanes, ground, first), first, lanes.active, all);
+    Add(TaylorStep<roof>(lanes, ground, {first}), first, lanes.active, all);
   });
   return all;
 }
