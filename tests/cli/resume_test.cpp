@@ -110,6 +110,19 @@ TEST_F(Resume, a_wall_time_stops_every_session_until_the_run_is_finished) {
   expect_resumed({"--walltime-s", "1000"});
 }
 
+// Without fused multiply-add the C library's functions have other last digits.
+TEST_F(Resume, a_run_that_began_on_another_kind_of_processor_is_refused_by_that_name) {
+  const std::string other = "GLIBC_TUNABLES=glibc.cpu.hwcaps=-FMA,-FMA4,-AVX2 " GLISSADE_PROGRAM;
+  const Finished begun =
+      run_shell(other + " run " + study_ + " --walltime-s 0.01 --out " + again_.string());
+  ASSERT_EQ(begun.status, stopped_status) << begun.err;
+  const Finished child = resume();
+  if (child.status == 0) GTEST_SKIP() << "the C library has one set of functions here";
+  expect_refused(child, {"another kind of processor", "resume it on a machine of the kind"});
+  EXPECT_EQ(child.err.find("restore the suite"), std::string::npos);
+  EXPECT_EQ(run_shell(other + " run --resume " + again_.string()).status, 0);
+}
+
 TEST_F(Resume, a_killed_run_is_recognised_and_goes_on_after_a_second_kill) {
   EXPECT_EQ(ended_by(SIGKILL).status, 128 + SIGKILL);
   expect_refused(run_child(command()),

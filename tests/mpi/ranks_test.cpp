@@ -76,6 +76,20 @@ TEST_F(Mpi, one_two_three_and_seven_ranks_give_the_bytes_of_none) {
     EXPECT_TRUE(results_on(ranks, study) == alone) << ranks << " ranks";
 }
 
+TEST_F(Mpi, one_and_two_ranks_give_the_same_report_tables_and_figures) {
+  const std::string study = folder_.write("study.toml", small_study());
+  results_on(1, study), results_on(2, study);
+  std::size_t compared = 0;
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(folder_.path("on1"))) {
+    const std::string type = entry.path().extension().string();
+    if (type != ".html" && type != ".csv" && type != ".svg") continue;
+    const auto other = folder_.path("on2") / std::filesystem::relative(entry, folder_.path("on1"));
+    EXPECT_TRUE(read_file(entry.path()) == read_file(other)) << other;
+    ++compared;
+  }
+  EXPECT_GT(compared, 10u);
+}
+
 TEST_F(Mpi, the_ranks_of_a_machine_store_the_samples_of_motions_once) {
   for (const char* ranks : {"1", "2", "5"}) {
     const Finished child = run_child({"mpirun", "-n", ranks, GLISSADE_SHARED_NUMBERS});

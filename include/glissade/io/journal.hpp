@@ -20,6 +20,7 @@ namespace glissade {
 /// What a run rests on: written when it begins, compared when it is resumed.
 struct RunIdentity {
   std::string program_version, plan_hash;
+  std::string mathematics;  ///< core/mathematics.hpp
   std::string layout;  ///< unit_layout() of the plan
   std::filesystem::path study_file;
   std::string study_text;

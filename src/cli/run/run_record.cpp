@@ -93,6 +93,7 @@ std::string run_json(const Results& results, const std::vector<Skip>& skips,
   json["histories_at_levels"] = count.integrated;
   json["histories_in_search"] = count.searched;
   json["histories_not_converged"] = count.failed;
+  json["histories_from_curve"] = count.from_curve;
   json["roof_motions"] = count.roofs;
   json["units_of_earlier_sessions"] = resumed;
   add_phases(json, clock);

@@ -7,6 +7,7 @@
 #include "glissade/core/error.hpp"
 #include "glissade/core/file.hpp"
 #include "glissade/core/hash.hpp"
+#include "glissade/core/mathematics.hpp"
 #include "glissade/core/output_file.hpp"
 #include "glissade/io/journal.hpp"
 #include "glissade/study/run/exchange.hpp"
@@ -47,7 +48,7 @@ std::string units_head(const RunIdentity& run) {
 
 namespace {
 
-constexpr const char* identity_format = "glissade run 3";
+constexpr const char* identity_format = "glissade run 4";
 constexpr std::uint64_t most_identity_bytes = 64u << 20;
 
 /// The line at which two texts first differ.
@@ -71,6 +72,7 @@ Difference first_difference(const std::string& was, const std::string& is) {
 RunIdentity identity_of(const Plan& plan, const std::string& program_version) {
   return {program_version,
           plan.hash,
+          mathematics(),
           unit_layout(plan),
           fs::absolute(plan.config.file),
           plan.config.source_text,
@@ -83,6 +85,7 @@ void write_identity(const fs::path& run_folder, const RunIdentity& run) {
                                         .put(std::string(identity_format))
                                         .put(run.program_version)
                                         .put(run.plan_hash)
+                                        .put(run.mathematics)
                                         .put(run.layout)
                                         .put(run.study_file.string())
                                         .put(run.study_text)
@@ -111,7 +114,7 @@ RunIdentity read_identity(const fs::path& run_folder) {
     ByteReader in(*content);
     in.get(format);
     if (format != identity_format) throw ShortMessage();
-    in.get(run.program_version).get(run.plan_hash).get(run.layout);
+    in.get(run.program_version).get(run.plan_hash).get(run.mathematics).get(run.layout);
     in.get(study_file).get(run.study_text).get(run.motions_text).get(run.part);
     constexpr std::uint64_t most_parts = 1000000;
     if (run.part.count > most_parts || run.part.number > run.part.count ||
@@ -159,9 +162,16 @@ void check_same_run(const RunIdentity& begun, const RunIdentity& now, const fs::
                        now.program_version),
            or_anew("resume it with the program that began it"));
   }
+  const bool same_mathematics = begun.mathematics == now.mathematics;
+  if (!same_mathematics) {
+    report(run_folder.string(),
+           "the run was begun where exp, sin and other functions of the C library give other last "
+           "digits: on another kind of processor, or with another C library",
+           or_anew("resume it on a machine of the kind that began it"));
+  }
   if (begun.study_text != now.study_text) {
     problems.add(changed_study(begun.study_text, now.study_file, now.study_text, run_folder));
-  } else if (begun.motions_text != now.motions_text) {
+  } else if (same_mathematics && begun.motions_text != now.motions_text) {
     const Difference d = first_difference(begun.motions_text, now.motions_text);
     const auto name = [](const std::string& line) {
       return line.empty() ? "(none)" : line.substr(0, line.rfind(' '));
@@ -171,10 +181,10 @@ void check_same_run(const RunIdentity& begun, const RunIdentity& now, const fs::
                ? "this is not as it was when the run began: " + name(d.is)
                : "where the run began with " + name(d.was) + " there is " + name(d.is),
            or_anew("restore the suite and its records"));
-  } else if (begun.plan_hash != now.plan_hash) {
+  } else if (same_mathematics && begun.plan_hash != now.plan_hash) {
     report(run_folder.string(),
            fmt::format("the run was begun with plan {}, this is {}: a file that the study names "
-                       "beside its suites has changed, or this is another kind of machine",
+                       "beside its suites has changed",
                        begun.plan_hash, now.plan_hash),
            or_anew("restore it"));
   } else if (problems.empty() && begun.layout != now.layout) {

@@ -10,6 +10,7 @@
 
 #include "glissade/core/contract.hpp"
 #include "glissade/core/hash.hpp"
+#include "glissade/core/mathematics.hpp"
 #include "plan/keep_records.hpp"
 #include "plan/plan_check.hpp"
 #include "plan/plan_notes.hpp"
@@ -300,7 +301,7 @@ Plan make_plan(const StudyConfig& config, std::vector<Suite> suites) {
 std::string fingerprint(const Plan& plan) {
   constexpr std::size_t most_cases = 4096;
   Hasher hasher;
-  hasher.text(plan.config.hashed_text).numbers(plan.factor_at_unit_level);
+  hasher.text(mathematics()).text(plan.config.hashed_text).numbers(plan.factor_at_unit_level);
   const std::size_t step = std::max<std::size_t>(1, plan.cases.size() / most_cases);
   for (std::size_t i = 0; i < plan.cases.size(); i += step) hash_case(hasher, plan.cases[i]);
   return to_hex(hasher.value());

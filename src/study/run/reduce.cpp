@@ -131,13 +131,6 @@ std::vector<Skip> skipped(const Plan& plan, const WorkCount& count) {
   };
   add("histories whose roof moves too little to start sliding",
       "they cannot slide: zero without integration", count.below_yield);
-  const std::uint64_t integrated = count.integrated + count.searched;
-  add("roof motions, beside those made",
-      "one serves every intensity, friction and slope on its record, period and damping",
-      integrated - std::min(count.roofs, integrated));
-  add("histories on a flat roof without vertical",
-      "their point of the record's curve slip / lambda = F(mu / lambda) was computed before",
-      count.from_curve);
   add("histories above the level that reaches the largest threshold",
       "[fragility] stop_at_largest = true", count.beyond);
   add("searches for a capacity", "the levels decide: not reached, or exceeded without shaking",

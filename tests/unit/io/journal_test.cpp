@@ -168,6 +168,9 @@ TEST_F(JournalTest, every_difference_of_two_runs_is_named) {
   EXPECT_THAT(message(), states("suite.toml, motion X"));
   now.motions_text = "a suite.toml, target 0a\na suite.toml, motion Y 1f\n";
   EXPECT_THAT(message(), states("suite.toml, motion X", "suite.toml, motion Y"));
+  now.mathematics = "other";  // of which other motions are a consequence
+  EXPECT_THAT(message(), states("another kind of processor", "resume it on a machine of the kind"));
+  EXPECT_EQ(message().find("motion"), std::string::npos);
   now = run_;
   now.layout = "other";
   EXPECT_NE(message(), "");

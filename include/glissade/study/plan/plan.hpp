@@ -101,8 +101,8 @@ void finish_plan(Plan& plan);
 /// All of it.
 Plan make_plan(const StudyConfig& config, std::vector<Suite> suites);
 
-/// Of what scale_plan() gives, with some of the cases. Ranks whose fingerprints differ would run
-/// other histories: another study file, another mathematical library.
+/// Of what scale_plan() gives, with some of the cases, and of the mathematics here. Ranks whose
+/// fingerprints differ would run other histories: another study file, another processor.
 std::string fingerprint(const Plan& plan);
 
 /// How many units a study is cut into, where it has that many cases of 1 ms or more: fewer of the

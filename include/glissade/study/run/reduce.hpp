@@ -21,7 +21,8 @@ void analyse_again(StudyConfig study, Results& results);
 /// What that run would have skipped, of what the run of the results did.
 std::vector<Skip> skipped_again(const StudyConfig& study, const std::vector<Skip>& skips);
 
-/// What the plan left out, and what the units did not need to do.
+/// What the plan left out, and what the units did not need to do; without what depends on which
+/// rank ran which unit (WorkCount::roofs, from_curve).
 std::vector<Skip> skipped(const Plan& plan, const WorkCount& count);
 
 }  // namespace glissade
