@@ -231,10 +231,14 @@ TEST_F(Run, runs_one_history_of_one_record_without_standards_or_samples) {
 // in search of capacities. A capacity of -nan ended the run after all of them.
 TEST(RunThatDoesNotConverge, ends_with_finite_capacities_counts_and_names) {
   const ScratchFolder folder;
-  const std::string study = folder.write(
-      "study.toml", replaced(replaced(small_study(), "[sampling]",
-                                      "fast_over_slow = 0.001\nrate_s_per_m = 1e5\n[sampling]"),
-                             "samples = 8", "samples = 2"));
+  std::string text = small_study();
+  for (const auto& [from, to] :
+       {std::pair{"[sampling]", "fast_over_slow = 0.001\nrate_s_per_m = 1e5\n[sampling]"},
+        {"samples = 8", "samples = 1"},
+        {"[0.05, 0.2]", "0.2"},
+        {"[\"sampled\", \"design\"]", "\"sampled\""}})
+    text = replaced(text, from, to);
+  const std::string study = folder.write("study.toml", text);
   const auto out = folder.path("out").string(), again = folder.path("again").string();
   const Finished child = run_program({"run", study, "--out", out});
   ASSERT_EQ(child.status, 0) << child.err;
