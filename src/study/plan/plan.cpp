@@ -150,10 +150,20 @@ void list_cases(Plan& plan) {
   plan.skips = skips_of(plan);
 }
 
+/// With what the results say of a suite and its motions.
+void hash_suite(Hasher& hasher, const Suite& suite) {
+  hasher.text(suite.name).text(suite.description);
+  hasher.number(static_cast<double>(suite.nearest_to_target));
+  hash_target(hasher, suite.target);
+}
+
 void hash_motion(Hasher& hasher, const Motion& motion) {
-  hasher.text(motion.id).number(motion.scale).number(motion.dt_s);
+  hasher.text(motion.id).text(motion.event).text(motion.station);
+  hasher.number(motion.magnitude).number(motion.distance_km).number(motion.vs30_mps);
+  hasher.number(motion.scale).number(motion.dt_s);
   for (const auto& component : motion.horizontal_mps2) hasher.numbers(component);
   hasher.numbers(motion.vertical_mps2);
+  for (const std::string& text : motion.contradictions) hasher.text(text);
 }
 
 void hash_case(Hasher& hasher, const Case& c) {
@@ -165,7 +175,7 @@ void hash_case(Hasher& hasher, const Case& c) {
 
 std::string hash_of(const Plan& plan) {
   Hasher hasher;
-  hasher.text("glissade plan 5").text(plan.config.hashed_text).numbers(plan.factor_at_unit_level);
+  hasher.text("glissade plan 6").text(plan.config.hashed_text).numbers(plan.factor_at_unit_level);
   const auto& own = plan.config.intensity.target;
   if (own && !own->is_mapped()) hash_target(hasher, own);  // else it is in the study's text
   if (plan.config.hazard) {
@@ -173,7 +183,7 @@ std::string hash_of(const Plan& plan) {
       hasher.number(p.intensity).number(p.annual_rate);
   }
   for (const Suite& suite : plan.suites) {
-    hash_target(hasher, suite.target);
+    hash_suite(hasher, suite);
     for (const Motion& motion : suite.motions) hash_motion(hasher, motion);
   }
   for (const Case& c : plan.cases.all()) hash_case(hasher, c);
@@ -184,9 +194,9 @@ std::string motions_text(const Plan& plan) {
   std::string text;
   for (std::size_t s = 0; s < plan.suites.size(); ++s) {
     const std::string file = plan.config.suite_files[s].filename().string();
-    Hasher target;
-    hash_target(target, plan.suites[s].target);
-    text += file + ", target " + to_hex(target.value()) + "\n";
+    Hasher suite;
+    hash_suite(suite, plan.suites[s]);
+    text += file + ", name, description and target " + to_hex(suite.value()) + "\n";
     for (const Motion& motion : plan.suites[s].motions) {
       Hasher hasher;
       hash_motion(hasher, motion);

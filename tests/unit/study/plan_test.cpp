@@ -228,6 +228,22 @@ TEST(plan, has_another_hash_when_the_motions_or_the_study_change_and_the_same_wh
   changed = small_suite();
   changed.motions[2].scale = 1.01;
   EXPECT_NE(plan.hash, make_plan(small_config(), {changed}).hash);
+  // What the results say of them.
+  using Change = std::function<void(Suite&)>;
+  for (const Change& change :
+       {Change([](Suite& s) { s.description += "."; }), Change([](Suite& s) { s.name += "."; }),
+        Change([](Suite& s) { s.motions[1].event = "Other"; }),
+        Change([](Suite& s) { s.motions[1].station = "Other"; }),
+        Change([](Suite& s) { s.motions[1].magnitude += 0.1; }),
+        Change([](Suite& s) { s.motions[1].distance_km += 1.0; }),
+        Change([](Suite& s) { s.motions[1].vs30_mps += 1.0; }),
+        Change([](Suite& s) { s.motions[1].contradictions = {"its file says otherwise"}; })}) {
+    changed = small_suite();
+    change(changed);
+    const Plan other = make_plan(small_config(), {changed});
+    EXPECT_NE(plan.hash, other.hash);
+    EXPECT_NE(plan.motions_text, other.motions_text);
+  }
   StudyConfig config = small_config();
   config.source_text += " ";  // a number with another unit
   EXPECT_EQ(plan.hash, small_plan(config).hash);

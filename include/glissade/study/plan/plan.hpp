@@ -68,9 +68,9 @@ struct Plan : PlanLists {
   /// So many of them, the first, are of what is run; the others of what analyses would make of it.
   std::size_t warnings_of_run = 0, notes_of_run = 0;
   std::vector<Skip> skips;  ///< what the study does not need and is not run
-  /// A line for each motion and each target of the suites: name, then a hash of the numbers.
+  /// A line for each suite and each of its motions: name, then a hash of what is taken of it.
   std::string motions_text;
-  std::string hash;  ///< of everything that decides the results; on every rank
+  std::string hash;  ///< of everything that decides the results or stands in them; on every rank
 
   const Suite& suite_of(std::size_t record) const { return suites[records[record].suite]; }
   const Motion& motion(std::size_t record) const {
