@@ -30,9 +30,12 @@ ExitStatus exit_status_of_exception() {
             "there is not enough memory for this; take fewer samples, levels or ranks, or raise "
             "its limit (ulimit -v)"};
   } catch (const std::filesystem::filesystem_error& error) {
-    const std::string what = error.what(), head = "filesystem error: ";
-    return {refused, (what.starts_with(head) ? what.substr(head.size()) : what) +
-                         "; check that the path is there and that you may use it"};
+    std::error_code ignored;
+    const bool is_gone = std::filesystem::current_path(ignored).empty();
+    const InputError reported({is_gone ? "the working directory" : error.path1().string(),
+                               "cannot be used: " + error.code().message(),
+                               "check that it is there and that you may read and write it", ""});
+    return {refused, reported.what()};
   } catch (const std::system_error& error) {
     return {refused, refusal + error.code().message() + limits};
   } catch (const std::exception& error) {
