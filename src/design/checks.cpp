@@ -10,6 +10,7 @@
 
 #include "glissade/core/contract.hpp"
 #include "glissade/core/units.hpp"
+#include "glissade/design/of_project.hpp"
 #include "glissade/fragility/hazard.hpp"
 #include "glissade/motion/improbable.hpp"
 #include "glissade/sampling/pull_test.hpp"
@@ -31,7 +32,7 @@ double lowest_ratio(const SuiteSpectra& spectra, double from_s, double to_s) {
                         std::lerp(ratio(i - 1), ratio(i),
                                   (to_s - periods_s[i - 1]) / (periods_s[i] - periods_s[i - 1])));
   }
-  GLISSADE_EXPECTS(std::isfinite(lowest));  // the spectra go beyond `from`
+  expect_of_project(std::isfinite(lowest), "spectra of longer periods");
   return lowest;
 }
 

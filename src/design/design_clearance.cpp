@@ -9,6 +9,7 @@
 #include "checks.hpp"
 #include "glissade/core/contract.hpp"
 #include "glissade/core/quantile.hpp"
+#include "glissade/design/of_project.hpp"
 #include "glissade/fragility/share.hpp"
 #include "glissade/motion/improbable.hpp"
 
@@ -54,14 +55,14 @@ const SuiteMean& governing_mean(const Project& project, const Results& demand, d
     if (governing == nullptr || required_m(demand, mean) > required_m(demand, *governing))
       governing = &mean;
   }
-  GLISSADE_EXPECTS(governing != nullptr);
+  expect_of_project(governing != nullptr, "the conditions of the project");
   return *governing;
 }
 
 PeriodDemand demand_at(const Results& demand, const SuiteMean& mean) {
   const ConditionTable& table = *demand.conditions;
   const auto condition = static_cast<std::size_t>(
-      std::ranges::find(table.first_case, mean.first_case) - table.first_case.begin());
+      &found_in(table.first_case, mean.first_case, "a condition") - table.first_case.data());
   const auto worst = static_cast<std::size_t>(std::ranges::max_element(mean.by_orientation) -
                                               mean.by_orientation.begin());
   std::vector<double> by_record;
@@ -139,8 +140,9 @@ std::vector<Sensitivity> sensitivity_of(const Project& project, const Results& d
   SensitivityTable table(project, demand, governing);
   const std::vector<StudiedFriction> frictions = frictions_of(project);
   table.vary("friction", &Inputs::friction, [&](double value) {
-    const auto which = std::ranges::find(frictions, value, &StudiedFriction::value);
-    return fmt::format("{:.3f} ({})", value, which->what);
+    return fmt::format(
+        "{:.3f} ({})", value,
+        found_in(frictions, value, "the frictions of the project", &StudiedFriction::value).what);
   });
   table.vary("roof slope", &Inputs::slope_deg,
              [](double value) { return fmt::format("{:.3g} degrees", value); });
@@ -168,7 +170,11 @@ double rounded_up(double value, double step) {
 }
 
 DesignClearance design_clearance(const Project& project, const Results& demand) {
-  GLISSADE_EXPECTS(demand.clearance && demand.conditions && demand.suites.size() == 1);
+  constexpr std::size_t levels = 2;  // DBE and MCE
+  expect_of_project(demand.clearance && demand.conditions && demand.levels.size() == levels &&
+                        demand.suites.size() == 1 &&
+                        !demand.suites.front().spectra.target_g.empty(),
+                    "displacements of one suite with a target at DBE and MCE");
   const SuiteMean& governing = governing_mean(project, demand, project.friction.design());
   const Inputs inputs = inputs_of(demand, governing);
 
@@ -227,18 +233,17 @@ void warn_of_uplift(const Results& probability, DesignClearance& design) {
 /// At each building period.
 std::vector<ExceedanceAt> exceedance_of(const Results& probability, double displacement_m,
                                         const std::string& name, double sds_g) {
-  const auto level = std::ranges::find(probability.levels, sds_g);
-  GLISSADE_EXPECTS(level != probability.levels.end());
-  const auto at = static_cast<std::size_t>(level - probability.levels.begin());
+  const double& level = found_in(probability.levels, sds_g, "the level of " + name);
+  const auto at = static_cast<std::size_t>(&level - probability.levels.data());
   std::vector<ExceedanceAt> found;
   for (const RunResults& run : probability.runs) {
-    const auto threshold =
-        std::ranges::find(run.fragilities, displacement_m, &ThresholdFragility::threshold_m);
-    GLISSADE_EXPECTS(threshold != run.fragilities.end());
-    const double share = threshold->probability[at];
+    const ThresholdFragility& threshold =
+        found_in(run.fragilities, displacement_m, "the displacement that is compared",
+                 &ThresholdFragility::threshold_m);
+    const double share = threshold.probability[at];
     found.push_back(
-        {name, *level, probability.cases.cases[run.first_case].period_s, share,
-         widened(threshold->probability_interval[at], share, probability.records.size())});
+        {name, level, probability.cases.cases[run.first_case].period_s, share,
+         widened(threshold.probability_interval[at], share, probability.records.size())});
   }
   return found;
 }
@@ -255,10 +260,9 @@ std::optional<ThresholdRate> largest_rate(const Results& probability, double dis
   std::optional<ThresholdRate> largest;
   if (!probability.hazard) return largest;
   for (const HazardRun& run : probability.hazard->runs) {
-    const auto rate =
-        std::ranges::find(run.thresholds, displacement_m, &ThresholdRate::threshold_m);
-    GLISSADE_EXPECTS(rate != run.thresholds.end());
-    if (!largest || rate->annual_rate.value > largest->annual_rate.value) largest = *rate;
+    const ThresholdRate& rate = found_in(run.thresholds, displacement_m,
+                                         "the rate of a displacement", &ThresholdRate::threshold_m);
+    if (!largest || rate.annual_rate.value > largest->annual_rate.value) largest = rate;
   }
   return largest;
 }
@@ -270,10 +274,11 @@ double allowed_m(const Separation& separation, const std::optional<double>& avai
 }
 
 QuantileDisplacement accepted_displacement(const Results& probability, double sds_g) {
-  GLISSADE_EXPECTS(probability.verdict.has_value());
-  const auto row = std::ranges::find(probability.verdict->rows, sds_g, &VerdictRow::sds_g);
-  GLISSADE_EXPECTS(row != probability.verdict->rows.end());
-  return {row->displacement_m.front(), row->displacement_interval.front()};
+  expect_of_project(probability.verdict.has_value(), "a verdict");
+  const VerdictRow& row =
+      found_in(probability.verdict->rows, sds_g, "a verdict at DBE", &VerdictRow::sds_g);
+  expect_of_project(!row.displacement_m.empty(), "a displacement that is accepted");
+  return {row.displacement_m.front(), row.displacement_interval.front()};
 }
 
 }  // namespace
@@ -291,6 +296,9 @@ std::vector<double> compared_displacements_m(const Project& project, double gove
 }
 
 void add_exceedance(const Project& project, const Results& probability, DesignClearance& design) {
+  expect_of_project(
+      !probability.runs.empty() && (!probability.hazard || !probability.hazard->runs.empty()),
+      "probabilities");
   warn_of_uplift(probability, design);
   const double sds_g = design.site.sds_g, sms_g = mce_over_dbe * sds_g;
   const auto compare = [&](double displacement_m, std::optional<std::size_t> separation) {

@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "analysis/suite/spectra_figure.hpp"
+#include "glissade/design/of_project.hpp"
 #include "glissade/motion/suite_scaling.hpp"
 #include "glissade/report/figures.hpp"
 #include "package/tables.hpp"
@@ -88,9 +89,9 @@ Figure exceedance_figure(const CalculationPackage& package) {
   const DisplacementExceedance& governing = design.compared.front();
   const bool at_dbe = governing.dbe.probability > 0.0;
   const double period_s = at_dbe ? governing.dbe.period_s : governing.mce.period_s;
-  RunResults run = *std::ranges::find_if(package.probability.runs, [&](const RunResults& r) {
-    return package.probability.cases.cases[r.first_case].period_s == period_s;
-  });
+  RunResults run = found_in(
+      package.probability.runs, period_s, "the period that governs",
+      [&](const RunResults& r) { return package.probability.cases.cases[r.first_case].period_s; });
   std::erase_if(run.fragilities, [&](const ThresholdFragility& fragility) {
     return fragility.threshold_m != design.governing_m;
   });

@@ -10,6 +10,7 @@
 
 #include "analysis/hazard/hazard.hpp"
 #include "glissade/core/units.hpp"
+#include "glissade/design/of_project.hpp"
 #include "glissade/fragility/hazard.hpp"
 #include "glissade/report/format.hpp"
 #include "package/units.hpp"
@@ -98,7 +99,7 @@ std::string hazard_sentence(const CalculationPackage& package) {
   constexpr double mostly_assumed = 0.5;
   const auto largest_of = [&](LifeQuantity quantity) -> const LifeDisplacement& {
     const auto life = [&](const HazardRun& r) -> const LifeDisplacement& {
-      return r.life.at(static_cast<std::size_t>(quantity));
+      return found_in(r.life, quantity, "a design life", &LifeDisplacement::quantity);
     };
     return life(*std::ranges::max_element(hazard.runs, {},
                                           [&](const HazardRun& r) { return life(r).p95_m.value; }));
