@@ -33,7 +33,8 @@ RunIdentity identity_of(const Plan& plan, const std::string& program_version);
 void write_identity(const std::filesystem::path& run_folder, const RunIdentity& run);
 /// Throws InputError where no run began in the folder, or its journal is not whole.
 RunIdentity read_identity(const std::filesystem::path& run_folder);
-/// Whether a run began in the folder and its journal is still there.
+/// Whether a run began in the folder and its journal is still there. Throws InputError where that
+/// cannot be seen.
 bool has_identity(const std::filesystem::path& run_folder);
 
 /// Throws InputError that names each difference, if another run began than the one that is to be
@@ -51,8 +52,9 @@ void copy_journals(const std::filesystem::path& from, const std::filesystem::pat
 /// Whether any unit is in the journals.
 bool has_units(const std::filesystem::path& run_folder);
 
-/// Held by rank 0 while its run goes on: two processes cannot hold that of one folder, and the
-/// system takes it back when the process ends in any way.
+/// Held while a command writes into a results folder, of a run by rank 0: two processes cannot hold
+/// that of one folder, and the system takes it back when the process ends in any way. It is a file
+/// in the folder of the journals, which goes with it where there are none.
 class RunLock {
  public:
   /// Makes the folder. Throws InputError where another process holds it.
@@ -60,7 +62,11 @@ class RunLock {
   ~RunLock();
   RunLock(const RunLock&) = delete;
   RunLock& operator=(const RunLock&) = delete;
-  /// Removes the journals and gives the lock back: the run has its results, or none are wanted.
+  /// As the destructor does; throws InputError where the file cannot be removed.
+  void give_back();
+  /// Removes the journals of an earlier run.
+  void empty();
+  /// The same, and gives the lock back: the run has its results, or none are wanted.
   void remove_journals();
 
  private:
@@ -68,10 +74,11 @@ class RunLock {
   int fd_;
 };
 
-/// Whether a process holds the lock of a folder.
+/// Whether a process holds the lock of a folder. It is not taken for that: a run that begins
+/// meanwhile is not refused.
 bool is_running(const std::filesystem::path& run_folder);
 
-/// Removes journals that nobody writes to.
+/// Removes the journals of a run that ends without units, by whichever rank.
 void remove_journals(const std::filesystem::path& run_folder);
 
 /// Appends the units of one rank. A unit is given to the system at once, so that it outlives the

@@ -6,6 +6,7 @@
 #include "glissade/core/bytes.hpp"
 #include "glissade/core/error.hpp"
 #include "glissade/core/file.hpp"
+#include "glissade/core/folder.hpp"
 #include "glissade/core/hash.hpp"
 #include "glissade/core/mathematics.hpp"
 #include "glissade/core/output_file.hpp"
@@ -26,16 +27,11 @@ fs::path JournalNames::units(int rank, int session) const {
 }
 
 std::vector<fs::path> JournalNames::all_units() const {
-  std::vector<fs::path> files;
-  std::error_code error, ignored;
-  for (const auto& entry : fs::directory_iterator(folder, error)) {
-    if (entry.path().extension() == ".units" && entry.is_regular_file(ignored))
-      files.push_back(entry.path());
-  }
-  // Without the memory to list it a folder with units is not one without.
-  if (error && fs::exists(folder, ignored))
-    throw_io_error(folder, "cannot be listed", error.value());
-  std::ranges::sort(files);
+  std::vector<fs::path> files = files_in(folder);
+  std::erase_if(files, [](const fs::path& file) {
+    std::error_code ignored;
+    return file.extension() != ".units" || !fs::is_regular_file(file, ignored);
+  });
   return files;
 }
 
@@ -96,8 +92,11 @@ void write_identity(const fs::path& run_folder, const RunIdentity& run) {
 }
 
 bool has_identity(const fs::path& run_folder) {
-  std::error_code ignored;
-  return fs::exists(JournalNames(run_folder).identity, ignored);
+  const fs::path identity = JournalNames(run_folder).identity;
+  std::error_code error;
+  const bool is_there = fs::exists(identity, error);
+  if (error) throw_io_error(identity, "cannot be read", error.value());
+  return is_there;
 }
 
 RunIdentity read_identity(const fs::path& run_folder) {

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fcntl.h>
-#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
 
 #include "glissade/core/error.hpp"
+#include "glissade/core/folder.hpp"
 #include "glissade/core/output_file.hpp"
 #include "glissade/io/journal.hpp"
 #include "journal/names.hpp"
@@ -16,8 +16,20 @@ namespace {
 
 namespace fs = std::filesystem;
 
+/// Of an open file (OFD), not of a process: whoever asks for it does not take it. On a network file
+/// system the server answers.
+struct flock whole_file() {
+  struct flock lock = {};
+  lock.l_type = F_WRLCK;
+  lock.l_whence = SEEK_SET;
+  return lock;
+}
+
 /// False: another process holds it. A file system without locks refuses nobody.
-bool lock_now(int fd) { return ::flock(fd, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK; }
+bool lock_now(int fd) {
+  struct flock lock = whole_file();
+  return ::fcntl(fd, F_OFD_SETLK, &lock) == 0 || (errno != EAGAIN && errno != EACCES);
+}
 
 /// Whether the open file is still the one of that name: a run that ended removes it.
 bool is_still(int fd, const fs::path& path) {
@@ -26,72 +38,80 @@ bool is_still(int fd, const fs::path& path) {
          open.st_ino == named.st_ino && open.st_dev == named.st_dev;
 }
 
-/// Not a link to a folder of somebody else.
-bool is_own(const fs::path& folder) {
-  std::error_code ignored;
-  return fs::is_directory(fs::symlink_status(folder, ignored));
+int open_lock(const JournalNames& names) {
+  check_own_folder(names.folder);
+  std::error_code error;
+  fs::create_directories(names.folder, error);
+  if (error) {
+    throw InputError({names.folder.parent_path().string(), "cannot be made: " + error.message(),
+                      "give a folder you may write to with --out", ""});
+  }
+  const int fd = ::open(names.lock.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW, 0666);
+  if (fd < 0) throw_io_error(names.lock, "cannot be opened for writing", errno);
+  return fd;
 }
 
 void remove_files(const JournalNames& names) {
-  std::error_code ignored;
-  if (!is_own(names.folder)) return;
-  for (const fs::path& file : names.all_units()) fs::remove(file, ignored);
-  fs::remove(names.identity, ignored);
-}
-
-void remove_folder(const JournalNames& names) {
-  std::error_code ignored;
-  if (!is_own(names.folder)) return;
-  fs::remove(names.lock, ignored);
-  fs::remove(names.folder, ignored);  // if empty
+  for (const fs::path& file : names.all_units()) remove_file(file);
+  remove_file(names.identity);
 }
 
 }  // namespace
 
 RunLock::RunLock(const fs::path& run_folder) : folder_(run_folder) {
   const JournalNames names(run_folder);
-  std::error_code error;
-  fs::create_directories(names.folder, error);
-  if (error) {
-    throw InputError({run_folder.string(), "cannot be made: " + error.message(),
-                      "give a folder you may write to with --out", ""});
+  for (;;) {
+    fd_ = open_lock(names);
+    const bool is_free = lock_now(fd_);
+    if (is_free && is_still(fd_, names.lock)) return;
+    ::close(fd_);
+    if (is_free) continue;  // whoever held it has removed it
+    throw InputError({run_folder.string(), "a run is going on in it",
+                      "wait until it ends, or give another --out", ""});
   }
-  if (!is_own(names.folder)) {
-    throw InputError(
-        {names.folder.string(), "is a link", "remove it, or give another folder with --out", ""});
-  }
-  fd_ = ::open(names.lock.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW, 0666);
-  if (fd_ < 0) throw_io_error(names.lock, "cannot be opened for writing", errno);
-  if (lock_now(fd_) && is_still(fd_, names.lock)) return;
-  ::close(fd_);
-  throw InputError({run_folder.string(), "a run is going on in it",
-                    "wait until it ends, or give another --out", ""});
 }
 
 RunLock::~RunLock() {
-  if (fd_ >= 0) ::close(fd_);
+  try {
+    give_back();
+  } catch (const std::exception&) {  // it stays, and nobody holds it
+    if (fd_ >= 0) ::close(fd_);
+  }
 }
+
+void RunLock::give_back() {
+  if (fd_ < 0) return;
+  const JournalNames names(folder_);
+  // Removed while it is held: nobody else takes it then. On a network file system an open file
+  // stays in its folder until it is closed.
+  const bool is_alone = files_in(names.folder) == std::vector{names.lock};
+  if (is_alone) remove_file(names.lock);
+  ::close(fd_);
+  fd_ = -1;
+  if (is_alone) remove_file(names.folder);
+}
+
+void RunLock::empty() { remove_files(JournalNames(folder_)); }
 
 void RunLock::remove_journals() {
-  const JournalNames names(folder_);
-  remove_files(names);
-  ::close(fd_);  // before it is removed: a network file system keeps an open file in its folder
-  fd_ = -1;
-  remove_folder(names);
-}
-
-bool is_running(const fs::path& run_folder) {
-  const int fd = ::open(JournalNames(run_folder).lock.c_str(), O_RDWR | O_CLOEXEC | O_NOFOLLOW);
-  if (fd < 0) return false;
-  const bool free = lock_now(fd);
-  ::close(fd);
-  return !free;
+  empty();
+  give_back();
 }
 
 void remove_journals(const fs::path& run_folder) {
   const JournalNames names(run_folder);
   remove_files(names);
-  remove_folder(names);
+  remove_file(names.lock);
+  remove_file(names.folder);
+}
+
+bool is_running(const fs::path& run_folder) {
+  const int fd = ::open(JournalNames(run_folder).lock.c_str(), O_RDONLY | O_CLOEXEC | O_NOFOLLOW);
+  if (fd < 0) return false;
+  struct flock lock = whole_file();
+  const bool is_held = ::fcntl(fd, F_OFD_GETLK, &lock) == 0 && lock.l_type != F_UNLCK;
+  ::close(fd);
+  return is_held;
 }
 
 }  // namespace glissade

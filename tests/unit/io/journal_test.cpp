@@ -3,6 +3,9 @@
 
 #include <gmock/gmock.h>
 
+#include <atomic>
+#include <thread>
+
 #include "glissade/core/bytes.hpp"
 #include "glissade/core/file.hpp"
 #include "glissade/core/hash.hpp"
@@ -210,6 +213,27 @@ TEST_F(JournalTest, two_runs_cannot_hold_one_folder) {
   }
   RunLock again(folder_.path());
   EXPECT_TRUE(is_running(folder_.path()));
+}
+
+TEST_F(JournalTest, a_run_that_begins_while_another_process_asks_for_one_is_not_refused) {
+  std::atomic<bool> ends = false;
+  std::atomic<int> asked = 0;
+  std::thread other([&] {
+    for (; !ends; ++asked) is_running(folder_.path());
+  });
+  for (int i = 0; i < 2000 || asked < 2000; ++i) EXPECT_NO_THROW(RunLock lock(folder_.path())) << i;
+  ends = true;
+  other.join();
+}
+
+TEST_F(JournalTest, a_lock_leaves_nothing_where_no_run_began) {
+  { const RunLock lock(folder_.path()); }
+  EXPECT_FALSE(fs::exists(folder_.path() / "journal"));
+  {
+    const RunLock lock(folder_.path());
+    write_identity(folder_.path(), run_);
+  }
+  EXPECT_TRUE(has_identity(folder_.path()));
 }
 
 TEST_F(JournalTest, a_folder_that_cannot_be_written_is_one_error) {
