@@ -91,7 +91,11 @@ void run(const FrictionOptions& o) {
   check(o.rule);
   if (!o.out.empty()) check_output_folder(o.out, o.overwrite);
   const auto [tests, summary] = read_pull_test_results(o.tests, o.rule);
-  if (!o.out.empty()) write_friction_report(tests, summary, o.out);
+  if (!o.out.empty()) {
+    const auto taken = take_folder(o.out);
+    write_friction_report(tests, summary, o.out, o.overwrite);
+    taken->give_back();
+  }
   if (o.json) {
     put("{}\n", to_json(summary).dump(2));
     return;

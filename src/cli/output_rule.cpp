@@ -6,42 +6,24 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <cerrno>
 #include <system_error>
-#include <vector>
 
 #include "glissade/core/error.hpp"
+#include "glissade/core/file.hpp"
+#include "glissade/core/folder.hpp"
 
 namespace glissade::cli {
 namespace {
 
 namespace fs = std::filesystem;
 
-/// What a report is made of: a page, and folders of files with these extensions.
-constexpr const char* page = "report.html";
-struct ReportFolder {
-  const char* name;
-  std::vector<std::string> extensions;
-};
-const std::vector<ReportFolder>& report_folders() {
-  static const std::vector<ReportFolder> folders{{"tables", {".csv"}},
-                                                 {"figures", {".svg", ".pdf", ".gp", ".dat"}}};
-  return folders;
-}
-
-std::vector<fs::path> files_of_report(const fs::path& folder) {
-  std::vector<fs::path> files;
-  std::error_code ignored;
-  if (fs::exists(folder / page, ignored)) files.push_back(folder / page);
-  for (const ReportFolder& part : report_folders()) {
-    for (const auto& entry : fs::directory_iterator(folder / part.name, ignored)) {
-      if (std::ranges::find(part.extensions, entry.path().extension().string()) !=
-          part.extensions.end())
-        files.push_back(entry.path());
-    }
-  }
-  return files;
-}
+/// What commands write into a results folder.
+constexpr std::array own_folders{"tables", "figures", "journal", "demand", "probability"};
+constexpr std::array own_files{"results.h5",   "run.json",     "report.html", "report_files.txt",
+                               "package.html", "package.json", "demand.toml", "probability.toml",
+                               "journal/run",  "journal/lock"};
 
 [[noreturn]] void refuse(const std::string& option, const fs::path& path, const char* why) {
   throw InputError({option, path.string() + ' ' + why + ": existing files are not overwritten",
@@ -52,6 +34,7 @@ void check_folder(const fs::path& folder) {
   std::error_code ignored;
   if (fs::exists(folder, ignored) && !fs::is_directory(folder, ignored))
     throw InputError({"--out", folder.string() + " is not a folder", "give another --out", ""});
+  check_own(folder);
 }
 
 /// As the system answers; on some network file systems the first write decides.
@@ -89,28 +72,41 @@ void check_output_file(const fs::path& file, const std::string& option, bool ove
     refuse(option, file, "is there already");
 }
 
+void check_own(const fs::path& folder) {
+  for (const char* name : own_folders) check_own_folder(folder / name);
+  for (const char* name : own_files) check_own_file(folder / name);
+}
+
 void check_output_folder(const fs::path& folder, bool overwrite) {
   check_folder(folder);
   check_may_write(folder);
   std::error_code error;
-  if (overwrite || !fs::exists(folder, error)) return;
-  if (!fs::is_empty(folder, error) || error) refuse("--out", folder, "holds a run or other files");
+  if (!overwrite && fs::exists(folder, error) && (!fs::is_empty(folder, error) || error))
+    refuse("--out", folder, "holds a run or other files");
 }
 
 void check_report_folder(const fs::path& folder, bool overwrite) {
   check_folder(folder);
-  if (!overwrite && !files_of_report(folder).empty()) refuse("--out", folder, "holds a report");
+  for (const char* name : {"report.html", "tables", "figures"}) {
+    std::error_code ignored;
+    if (!overwrite && fs::exists(fs::symlink_status(folder / name, ignored)))
+      refuse("--out", folder, "holds a report");
+  }
 }
 
-void remove_report(const fs::path& folder) {
-  std::error_code ignored;
-  for (const fs::path& file : files_of_report(folder)) fs::remove(file, ignored);
-}
-
-void remove_run(const fs::path& folder) {
-  remove_report(folder);
-  std::error_code ignored;
-  for (const char* name : {"results.h5", "run.json"}) fs::remove(folder / name, ignored);
+std::unique_ptr<RunLock> take_folder(const fs::path& folder) {
+  auto lock = std::make_unique<RunLock>(folder);
+  for (const fs::path& in : {folder, folder / "journal"}) {
+    for (const fs::path& file : files_in(in)) {
+      const fs::path whole = in / whole_name(file.filename());
+      std::error_code ignored;
+      if (std::ranges::any_of(own_files,
+                              [&](const char* name) { return folder / name == whole; }) &&
+          fs::is_regular_file(fs::symlink_status(file, ignored)))
+        fs::remove(file, ignored);
+    }
+  }
+  return lock;
 }
 
 }  // namespace glissade::cli

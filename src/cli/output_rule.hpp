@@ -3,7 +3,10 @@
 
 #include <CLI/CLI.hpp>
 #include <filesystem>
+#include <memory>
 #include <string>
+
+#include "glissade/io/journal.hpp"
 
 // The rule of all commands on what is there already: it is not written over, unless the user gives
 // --overwrite.
@@ -20,16 +23,19 @@ void check_output_file(const std::filesystem::path& file, const std::string& opt
 /// The path up to its last folder (or file) that exists.
 std::filesystem::path existing_part(const std::filesystem::path& path);
 
-/// Throws InputError where the folder holds anything, is no folder, or could not be written to. It
-/// need not exist.
+/// Throws InputError where the folder holds anything (without `overwrite`), is no folder, or could
+/// not be written to. It need not exist.
 void check_output_folder(const std::filesystem::path& folder, bool overwrite);
 
 /// Throws InputError where the folder, which may hold other files, holds a report.
 void check_report_folder(const std::filesystem::path& folder, bool overwrite);
 
-/// Removes what an earlier run or report wrote into a folder that is to be written over: what the
-/// next one does not write would else stay there. Other files are not changed.
-void remove_report(const std::filesystem::path& folder);
-void remove_run(const std::filesystem::path& folder);
+/// Throws InputError where one of the names that the program writes below a results folder is a
+/// link, or is no file (folder): what it leads to is not the program's.
+void check_own(const std::filesystem::path& folder);
+
+/// Before a command writes into a results folder: no other can take it. What commands left there
+/// that were killed while they wrote a file is removed.
+std::unique_ptr<RunLock> take_folder(const std::filesystem::path& folder);
 
 }  // namespace glissade::cli

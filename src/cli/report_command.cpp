@@ -6,6 +6,7 @@
 
 #include "commands.hpp"
 #include "glissade/core/error.hpp"
+#include "glissade/core/file.hpp"
 #include "glissade/io/results_file.hpp"
 #include "glissade/io/study_file.hpp"
 #include "glissade/report/summary.hpp"
@@ -30,7 +31,7 @@ struct ReportOptions {
   }
 };
 
-/// The report; its summary. An earlier one goes once the results are read and analysed.
+/// The report; its summary. What is there goes once the results are read and analysed.
 std::string report_again(const ReportOptions& o) {
   const fs::path file(o.results), out = o.folder();
   Results results = read_results(file);
@@ -40,12 +41,16 @@ std::string report_again(const ReportOptions& o) {
     skips = skipped_again(study, skips);
     analyse_again(study, results);
   }
-  remove_report(out);
-  if (!o.study.empty()) {
-    fs::create_directories(out);
-    write_results(out / "results.h5", results);
+  const auto taken = take_folder(out);
+  if (!o.study.empty()) write_results(out / "results.h5", results);
+  write_report(results, out, skips, o.overwrite);
+  const fs::path run_json = out / "run.json";
+  if (is_unreported(run_json) && plan_hash_in(run_json) == results.plan_hash &&
+      fs::equivalent(file, out / "results.h5")) {
+    write_text_file(run_json, reported_json(run_json));
+    taken->remove_journals();
   }
-  write_report(results, out, skips);
+  taken->give_back();
   return summary_text(results, skips);
 }
 

@@ -4,6 +4,7 @@
 #include <fcntl.h>
 #include <unistd.h>
 
+#include <cctype>
 #include <cerrno>
 #include <span>
 #include <system_error>
@@ -82,6 +83,15 @@ std::string read_text_file(const fs::path& path) {
     part = block_bytes;
   }
   throw InputError({path.string(), "has more than 256 MiB of text", "take a smaller file", ""});
+}
+
+std::string whole_name(const std::string& partial_name) {
+  const std::size_t end = partial_name.rfind(".partial.");
+  if (end == std::string::npos) return "";
+  const std::string process = partial_name.substr(end + std::string_view(".partial.").size());
+  const bool is_number = !process.empty() && std::isdigit(process.front()) != 0 &&
+                         process.find_first_not_of("0123456789.") == std::string::npos;
+  return is_number ? partial_name.substr(0, end) : "";
 }
 
 void sync_folder(const fs::path& folder) {

@@ -28,6 +28,7 @@ ScratchFolder::~ScratchFolder() {
 }
 
 std::string ScratchFolder::write(const std::string& name, const std::string& text) const {
+  fs::create_directories(path(name).parent_path());
   std::ofstream(path(name), std::ios::binary) << text;
   return path(name).string();
 }

@@ -16,7 +16,7 @@ class ScratchFolder {
   ScratchFolder& operator=(const ScratchFolder&) = delete;
 
   std::filesystem::path path(const std::string& name) const { return folder_ / name; }
-  /// Writes a file and returns its path.
+  /// Writes a file, in a folder that is made, and returns its path.
   std::string write(const std::string& name, const std::string& text) const;
   /// Every file and folder in it, sorted, relative.
   std::vector<std::string> contents() const;

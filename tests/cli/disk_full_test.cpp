@@ -114,7 +114,7 @@ TEST_F(DiskFull,
                                      study + "' --out '" + out.string() + "'");
     if (child.status == 0) break;
     if (fs::exists(out / "results.h5")) {
-      EXPECT_THAT(read_file(out / "run.json"), testing::HasSubstr("glissade report --overwrite"));
+      EXPECT_THAT(read_file(out / "run.json"), testing::HasSubstr("glissade run --resume"));
     } else if (fs::exists(out)) {
       const Finished resumed = run_program({"run", "--resume", out.string()});
       EXPECT_EQ(resumed.status, 0) << limit_kb << child.err << resumed.err;
@@ -133,7 +133,7 @@ TEST_F(DiskFull, results_that_fit_are_kept_when_the_report_does_not) {
             size + 512);  // else the limit would not part them
   expect_refused(run_shell("ulimit -f " + std::to_string(size / 512 + 1) + "; \"$0\" run '" +
                            study + "' --out '" + out + "'"),
-                 {"results.h5: is complete", "glissade report"});
+                 {"results.h5: is complete", "glissade run --resume"});
   EXPECT_TRUE(read_file(out + "/results.h5") == read_file(whole / "results.h5"));
 }
 

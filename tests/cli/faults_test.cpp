@@ -351,7 +351,7 @@ TEST_F(Faults, memory_that_ends_after_the_histories_never_leaves_a_run_that_is_s
     const Finished resumed = run_program({"run", "--resume", again_.string()});
     EXPECT_EQ(resumed.status, 0) << resumed.err;
   } else {
-    EXPECT_EQ(json.at("status"), "results written, report failed");
+    EXPECT_EQ(json.at("status"), "results written, report missing");
   }
   EXPECT_TRUE(read_file(again_ / "results.h5") == read_file(whole / "results.h5"));
 }

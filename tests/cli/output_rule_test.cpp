@@ -6,6 +6,7 @@
 #include "cli/child.hpp"
 #include "cli/one_run.hpp"
 #include "cli/small_study.hpp"
+#include "glissade/io/journal.hpp"
 
 namespace glissade::test {
 namespace {
@@ -105,8 +106,9 @@ TEST_F(OutputRuleOfAFolder, a_report_is_made_again_in_its_folder_with_overwrite_
   const std::string results = (out() / "results.h5").string(),
                     run_json = read_file(out() / "run.json");
   const std::string page = read_file(out() / "report.html");
+  const std::string list = read_file(out() / "report_files.txt");
   folder_->write("out/tables/of_another_study.csv", "old");
-  folder_->write("out/tables/notes.txt", "mine");
+  folder_->write("out/report_files.txt", list + "tables/of_another_study.csv\n");
   expect_refused(run_program({"report", results}), {"--out", out().string(), "--overwrite"});
   EXPECT_TRUE(fs::exists(out() / "tables/of_another_study.csv"));
 
@@ -114,8 +116,116 @@ TEST_F(OutputRuleOfAFolder, a_report_is_made_again_in_its_folder_with_overwrite_
   ASSERT_EQ(child.status, 0) << child.err;
   EXPECT_EQ(read_file(out() / "report.html"), page);
   EXPECT_EQ(read_file(out() / "run.json"), run_json);
+  EXPECT_EQ(read_file(out() / "report_files.txt"), list);
   EXPECT_FALSE(fs::exists(out() / "tables/of_another_study.csv"));
-  EXPECT_EQ(read_file(out() / "tables/notes.txt"), "mine");
+}
+
+TEST_F(OutputRuleOfAFolder, files_of_the_user_stay_whatever_takes_the_place_of_a_report) {
+  const std::vector<std::string> mine = {"tables/mine.csv", "figures/thesis.pdf", "figures/my.svg",
+                                         "figures/model.dat.partial.1", "notes.partial.2"};
+  for (const std::string& name : mine) folder_->write("out/" + name, "mine");
+  folder_->write("mine.csv", "mine");
+  // Anybody could have written the list.
+  folder_->write("out/report_files.txt",
+                 read_file(out() / "report_files.txt") +
+                     "../mine.csv\ntables/../../mine.csv\nrun.json\nfigures/../run.json\n" +
+                     folder_->path("mine.csv").string() + "\n/tables/mine.csv\n");
+  for (const std::vector<std::string>& command :
+       {std::vector<std::string>{"report", (out() / "results.h5").string()},
+        {"run", study_, "--out", out().string()}}) {
+    std::vector<std::string> over = command;
+    over.emplace_back("--overwrite");
+    const Finished child = run_program(over);
+    ASSERT_EQ(child.status, 0) << child.err;
+    for (const std::string& name : mine) EXPECT_EQ(read_file(out() / name), "mine") << name;
+    EXPECT_EQ(read_file(folder_->path("mine.csv")), "mine");
+  }
+}
+
+TEST_F(OutputRuleOfAFolder, a_report_whose_files_are_not_listed_is_written_over_by_name_only) {
+  const fs::path other = folder_->path("unlisted");
+  fs::create_directory(other);
+  fs::copy_file(out() / "results.h5", other / "results.h5");
+  folder_->write("unlisted/tables/fragility.csv", "old");
+  folder_->write("unlisted/tables/unknown.csv", "old");
+  const std::string results = (other / "results.h5").string();
+  expect_refused(run_program({"report", results}), {"--overwrite"});
+  EXPECT_EQ(read_file(other / "tables/fragility.csv"), "old");
+  EXPECT_EQ(run_program({"report", results, "--overwrite"}).status, 0);
+  EXPECT_EQ(read_file(other / "tables/fragility.csv"), read_file(out() / "tables/fragility.csv"));
+  EXPECT_EQ(read_file(other / "tables/unknown.csv"), "old");
+}
+
+// Whoever gives somebody a results folder could have put links to that person's files into it.
+TEST_F(OutputRuleOfAFolder, nothing_is_written_replaced_or_removed_through_a_link) {
+  const std::string project = GLISSADE_SOURCE_DIR "/studies/permit_project.toml",
+                    sheet = folder_->write("sheet.csv", "mu\n0.50\n0.54\n0.58\n");
+  const fs::path stranger = folder_->path("stranger"), victim = folder_->path("victim");
+  const std::vector<std::vector<std::string>> commands = {
+      {"report", (stranger / "results.h5").string(), "--overwrite"},
+      {"report", (out() / "results.h5").string(), "--out", stranger.string(), "--overwrite"},
+      {"run", study_, "--out", stranger.string(), "--overwrite"},
+      {"run", "--resume", stranger.string()},
+      {"friction", sheet, "--out", stranger.string(), "--overwrite"},
+      {"clearance", project, "--out", stranger.string(), "--overwrite"}};
+  for (const char* name :
+       {"tables", "figures", "journal", "demand", "probability", "report.html", "run.json",
+        "package.html", "package.json", "demand.toml", "report_files.txt"}) {
+    for (const std::vector<std::string>& command : commands) {
+      fs::remove_all(stranger);
+      for (const char* file : {"thesis.pdf", "photo.svg", "mydata.csv", "run", "lock"})
+        folder_->write(std::string("victim/") + file, "mine");
+      fs::create_directory(stranger);
+      fs::copy_file(out() / "results.h5", stranger / "results.h5");
+      const bool is_folder = std::string(name).find('.') == std::string::npos;
+      fs::create_symlink(is_folder ? victim : victim / "thesis.pdf", stranger / name);
+      SCOPED_TRACE(command[0] + " with a link " + name);
+      expect_refused(run_program(command), {name, "is a link"});
+      for (const auto& file : fs::directory_iterator(victim))
+        EXPECT_EQ(read_file(file), "mine") << file.path();
+      EXPECT_EQ(std::distance(fs::directory_iterator(victim), {}), 5);
+    }
+  }
+}
+
+TEST_F(OutputRuleOfAFolder, nor_a_link_in_the_place_of_a_table_or_figure) {
+  const std::string victim = folder_->write("mine.txt", "mine");
+  for (const char* name : {"tables/fragility.csv", "figures/fragility.svg", "figures/ida.pdf"}) {
+    const std::string text = read_file(out() / name);
+    fs::remove(out() / name);
+    fs::create_symlink(victim, out() / name);
+    expect_refused(run_program({"report", (out() / "results.h5").string(), "--overwrite"}),
+                   {name, "is a link"});
+    EXPECT_EQ(read_file(victim), "mine");
+    fs::remove(out() / name);
+    // A second name of a file is no link to look for: the file keeps its content under the other.
+    fs::create_hard_link(victim, out() / name);
+    EXPECT_EQ(run_program({"report", (out() / "results.h5").string(), "--overwrite"}).status, 0);
+    EXPECT_EQ(read_file(victim), "mine");
+    EXPECT_EQ(read_file(out() / name), text);
+  }
+}
+
+TEST_F(OutputRuleOfAFolder, what_killed_commands_left_goes_with_the_next_unless_one_is_going_on) {
+  const std::vector<std::string> left = {
+      "results.h5.partial.1",           "run.json.partial.22",
+      "report.html.partial.1.2",        "report_files.txt.partial.33",
+      "tables/fragility.csv.partial.1", "figures/ida.svg.partial.4.1"};
+  const std::vector<std::string> mine = {"my.h5.partial.1", "results.h5.partial.of_mine",
+                                         "tables/my.csv.partial.1"};
+  for (const std::string& name : left) folder_->write("out/" + name, "left");
+  for (const std::string& name : mine) folder_->write("out/" + name, "mine");
+  const std::vector<std::string> command = {"report", (out() / "results.h5").string(),
+                                            "--overwrite"};
+  {
+    const RunLock of_another(out());
+    expect_refused(run_program(command), {"a run is going on"});
+    for (const std::string& name : left) EXPECT_TRUE(fs::exists(out() / name)) << name;
+  }
+  ASSERT_EQ(run_program(command).status, 0);
+  for (const std::string& name : left) EXPECT_FALSE(fs::exists(out() / name)) << name;
+  for (const std::string& name : mine) EXPECT_EQ(read_file(out() / name), "mine") << name;
+  EXPECT_FALSE(fs::exists(out() / "journal"));
 }
 
 TEST_F(OutputRuleOfAFolder, a_run_takes_the_place_of_another_with_overwrite_only) {

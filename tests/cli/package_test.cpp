@@ -4,13 +4,17 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <map>
 #include <nlohmann/json.hpp>
 
 #include "cli/child.hpp"
 #include "cli/killed_run.hpp"
 #include "facts.hpp"
+#include "glissade/core/error.hpp"
 #include "glissade/core/quantile.hpp"
+#include "glissade/design/design_clearance.hpp"
+#include "glissade/io/project_file.hpp"
 #include "glissade/io/results_file.hpp"
 
 namespace glissade::test {
@@ -299,6 +303,71 @@ TEST_F(Package, a_stopped_calculation_goes_on_to_the_same_package) {
   ASSERT_EQ(resumed.status, 0) << resumed.err;
   EXPECT_EQ(read_file(other / "package.json"), read_file(out() / "package.json"));
   EXPECT_EQ(run_program({"clearance", "--resume", other.string()}).status, 0);  // is finished
+}
+
+// The studies are finished; the package is missing.
+TEST_F(Package, is_made_of_finished_studies_of_its_own_project_only) {
+  const fs::path other = folder_->path("unpacked");
+  fs::copy(out(), other, fs::copy_options::recursive);
+  const std::vector<std::string> resume = {"clearance", "--resume", other.string()};
+  fs::remove(other / "package.html");
+  const Finished child = run_program(resume);
+  ASSERT_EQ(child.status, 0) << child.err;
+  EXPECT_EQ(read_file(other / "package.json"), read_file(out() / "package.json"));
+  EXPECT_EQ(read_file(other / "package.html"), read_file(out() / "package.html"));
+  fs::remove(other / "package.html");
+  for (const char* name : {"results.h5", "run.json"})
+    fs::copy_file(out() / "probability" / name, other / "demand" / name,
+                  fs::copy_options::overwrite_existing);
+  expect_refused(run_program(resume), {"demand/results.h5", "not of the study", "--overwrite"});
+  EXPECT_FALSE(fs::exists(other / "package.html"));
+  EXPECT_EQ(read_file(other / "demand.toml"), read_file(out() / "demand.toml"));
+}
+
+TEST_F(Package, results_without_what_the_project_looks_for_are_an_error_of_the_input) {
+  const Project project = read_project(project_file);
+  const Results demand = read_results(out() / "demand/results.h5"),
+                probability = read_results(out() / "probability/results.h5");
+  EXPECT_THROW(design_clearance(project, probability), InputError);
+  Project other = project;
+  other.friction.mean += 0.01;
+  EXPECT_THROW(design_clearance(other, demand), InputError);
+  for (const auto& change : std::vector<std::function<void(Results&)>>{
+           [](Results& r) { r.levels.pop_back(); }, [](Results& r) { r.suites.clear(); },
+           [](Results& r) { r.suites.front().spectra.target_g.clear(); },
+           [](Results& r) { r.conditions->first_case.assign(1, 0); }}) {
+    Results changed = demand;
+    change(changed);
+    EXPECT_THROW(design_clearance(project, changed), InputError);
+  }
+  const DesignClearance design = design_clearance(project, demand);
+  for (const auto& change : std::vector<std::function<void(Results&)>>{
+           [](Results& r) { r.runs.clear(); }, [](Results& r) { r.verdict.reset(); },
+           [](Results& r) { r.levels.assign(r.levels.size(), 0.0); },
+           [](Results& r) { r.verdict->rows.clear(); },
+           [](Results& r) { r.runs.back().fragilities.clear(); }}) {
+    Results changed = probability;
+    DesignClearance exceeded = design;
+    change(changed);
+    EXPECT_THROW(add_exceedance(project, changed, exceeded), InputError);
+  }
+  DesignClearance larger = design;
+  larger.governing_m += 1e-3;
+  EXPECT_THROW(add_exceedance(project, probability, larger), InputError);
+}
+
+TEST_F(Package, is_not_made_of_studies_of_other_motions) {
+  const std::string suite = GLISSADE_SOURCE_DIR "/suites/synthetic_level2.toml",
+                    text = read_file(suite), project = replaced(moved_project(), suite, "own.toml"),
+                    out = folder_->path("own").string();
+  folder_->write("own.toml", text);
+  const Finished child =
+      run_program({"clearance", folder_->write("project.toml", project), "--out", out});
+  ASSERT_EQ(child.status, 0) << child.err;
+  fs::remove(fs::path(out) / "package.html");
+  folder_->write("own.toml", replaced(text, "description = \"", "description = \"Changed. "));
+  expect_refused(run_program({"clearance", "--resume", out}),
+                 {"demand/results.h5", "other motions", "--overwrite"});
 }
 
 TEST_F(Package, check_of_a_project_says_what_would_run_and_writes_nothing) {

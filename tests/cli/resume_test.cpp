@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gmock/gmock.h>
+#include <unistd.h>
 
+#include <cmath>
 #include <nlohmann/json.hpp>
+#include <tuple>
 
 #include "cli/killed_run.hpp"
 #include "cli/one_run.hpp"
@@ -159,6 +162,128 @@ TEST_F(Resume, a_finished_run_is_left_as_it_is) {
   EXPECT_THAT(child.out, states("finished"));
 }
 
+/// Of a run that was killed, then finished; with the journal of the first put back.
+TEST_F(Resume, results_that_are_not_whole_are_made_again_from_the_journal) {
+  ended_by(SIGKILL);
+  const fs::path kept = folder_->path("kept");
+  fs::copy(again_ / "journal", kept);
+  expect_resumed();
+  const std::string whole = read_file(again_ / "results.h5");
+  for (int fault = 0; fault < 3; ++fault) {
+    fs::copy(kept, again_ / "journal");
+    if (fault == 0) fs::remove(again_ / "results.h5");
+    if (fault == 1) fs::resize_file(again_ / "results.h5", whole.size() - 1);
+    if (fault == 2) {
+      std::string changed = whole;
+      changed[whole.size() / 2] = static_cast<char>(changed[whole.size() / 2] ^ 1);
+      folder_->write("again/results.h5", changed);
+    }
+    expect_resumed();
+  }
+  fs::remove_all(kept);
+}
+
+TEST_F(Resume, a_finished_run_without_whole_results_says_what_to_do) {
+  ASSERT_EQ(run_child(command()).status, 0);
+  const std::string run_json = read_file(again_ / "run.json");
+  const auto expect_fault = [&](const std::string& fault) {
+    const std::vector<std::string> before = names_in(again_);
+    expect_refused(resume(), {"results.h5", fault, "no journal", "--overwrite"});
+    EXPECT_EQ(names_in(again_), before);
+    EXPECT_EQ(read_file(again_ / "run.json"), run_json);
+  };
+  fs::resize_file(again_ / "results.h5", 5000);
+  expect_fault("checksum");
+  const std::string other =
+      folder_->write("other.toml", replaced(small_study(), "seed = 7", "seed = 8"));
+  ASSERT_EQ(run_program({"run", other, "--out", folder_->path("other").string()}).status, 0);
+  fs::remove(again_ / "results.h5");
+  fs::copy_file(folder_->path("other/results.h5"), again_ / "results.h5");
+  expect_fault("another run");
+  fs::remove(again_ / "results.h5");
+  expect_fault("no such file");
+}
+
+TEST_F(Resume, a_report_that_failed_is_made) {
+  const auto without_gnuplot = [&] {
+    fs::remove_all(again_);
+    const Finished child = run_shell("program=\"$0\"; PATH=/nonexistent; exec \"$program\" run '" +
+                                     study_ + "' --out '" + again_.string() + "'");
+    expect_refused(child, {"gnuplot", "results.h5", "is complete", "glissade run --resume"});
+    EXPECT_EQ(Json::parse(read_file(again_ / "run.json")).at("status"),
+              "results written, report missing");
+  };
+  const auto expect_finished = [&] {
+    const Json json = Json::parse(read_file(again_ / "run.json")),
+               whole = Json::parse(read_file(out() / "run.json"));
+    EXPECT_EQ(json.at("status"), "finished");
+    EXPECT_FALSE(json.contains("what_to_do"));
+    EXPECT_EQ(json.at("skipped"), whole.at("skipped"));
+    expect_same_results();
+    EXPECT_EQ(read_file(again_ / "report.html"), read_file(out() / "report.html"));
+  };
+  without_gnuplot();
+  EXPECT_EQ(resume().status, 0);
+  expect_finished();
+  without_gnuplot();
+  EXPECT_EQ(run_program({"report", "--overwrite", (again_ / "results.h5").string()}).status, 0);
+  expect_finished();
+  without_gnuplot();  // a report in another folder does not finish the run
+  const std::string elsewhere = folder_->path("elsewhere").string();
+  EXPECT_EQ(run_program({"report", (again_ / "results.h5").string(), "--out", elsewhere}).status,
+            0);
+  EXPECT_NE(Json::parse(read_file(again_ / "run.json")).at("status"), "finished");
+}
+
+// Killed between the creation of journal/run.partial.PID and its renaming, or before.
+TEST_F(Resume, a_run_that_was_killed_before_it_stated_what_it_is_begins_again) {
+  for (const bool half_written : {false, true}) {
+    folder_->write("again/journal/lock", "");
+    if (half_written) folder_->write("again/journal/run.partial.4711", "half");
+    expect_refused(resume(), {again_.string(), "killed before its first unit",
+                              "glissade run STUDY.toml --out " + again_.string()});
+    const Finished child = run_child(command());
+    EXPECT_EQ(child.status, 0) << child.err;
+    expect_same_results();
+    fs::remove_all(again_);
+  }
+}
+
+TEST(ResumeOfASuite, what_the_results_say_of_a_record_and_changes_is_named) {
+  const ScratchFolder folder;
+  const std::string text =
+                        "event = \"Quake\"\nstation = \"Here\"\nmagnitude = 6.9\n"
+                        "distance_km = 12.0\nvs30_mps = 300.0\n",
+                    suite = replaced(suite_of_one_record(), "id = \"a\"\n", "id = \"a\"\n" + text);
+  const std::string described =
+      replaced(suite, "name = \"one\"\n", "name = \"one\"\ndescription = \"of a record\"\n");
+  std::string record;
+  for (int i = 0; i < 200; ++i) record += std::to_string(0.5 * std::sin(0.3 * i)) + "\n";
+  folder.write("record.txt", record);
+  folder.write("suite.toml", described);
+  const std::string study =
+      folder.write("study.toml",
+                   "[study]\nname = \"s\"\n[suite]\nfile = \"suite.toml\"\n[intensity]\n"
+                   "measure = \"pga_g\"\nlevels = [0.5, 1.0, 2.0]\n[model]\naxes = 1\n"
+                   "[friction]\nmu = { mean = 0.3, std = 0.03 }\n[sampling]\nsamples = 64\n"
+                   "[fragility]\nthresholds_m = [0.05]\n");
+  const std::string out = folder.path("out").string();
+  const Finished stopped = run_program({"run", study, "--out", out, "--walltime-s", "0"});
+  ASSERT_EQ(stopped.status, stopped_status) << stopped.err;
+  for (const auto& [was, is, named] : {std::tuple("Quake", "Other", "motion a"),
+                                       {"Here", "There", "motion a"},
+                                       {"6.9", "7.0", "motion a"},
+                                       {"12.0", "13.0", "motion a"},
+                                       {"300.0", "310.0", "motion a"},
+                                       {"of a record", "of another", "description"}}) {
+    folder.write("suite.toml", replaced(described, was, is));
+    expect_refused(run_program({"run", "--resume", out}), {"suite.toml", named, "restore"});
+  }
+  folder.write("suite.toml", described);
+  const Finished resumed = run_program({"run", "--resume", out});
+  EXPECT_EQ(resumed.status, 0) << resumed.err;
+}
+
 TEST_F(Resume, a_finished_run_is_of_its_study_only) {
   const std::vector<std::string> before = names_in(out());
   const auto resumed_with = [&](const std::string& text) {
@@ -239,6 +364,23 @@ TEST_F(Resume, a_run_whose_results_do_not_fit_goes_on_when_there_is_room) {
   expect_resumed();
 }
 
+TEST(ResumeOfAStrangeFolder, a_journal_that_cannot_be_read_is_named) {
+  const ScratchFolder folder;
+  folder.write("run/journal/run", "");
+  const std::string run = folder.path("run").string(),
+                    study = folder.write("s.toml", small_study()),
+                    as_owner = "setpriv --bounding-set=-dac_override,-dac_read_search";
+  const bool is_root = ::geteuid() == 0;
+  if (is_root && run_shell(as_owner + " true").status != 0) GTEST_SKIP() << "root may read all";
+  fs::permissions(folder.path("run/journal"), fs::perms::none);
+  for (const std::string& command :
+       {"run --resume '" + run + "'", "run '" + study + "' --out '" + run + "'",
+        "run '" + study + "' --overwrite --out '" + run + "'"})
+    expect_refused(run_shell((is_root ? as_owner : "exec") + " \"$0\" " + command),
+                   {"journal", "Permission denied"});
+  fs::permissions(folder.path("run/journal"), fs::perms::owner_all);
+}
+
 TEST(ResumeOfAStrangeFolder, changes_nothing_that_a_link_leads_to) {
   ScratchFolder folder;
   const fs::path victim = folder.path("victim"), run = folder.path("run");
@@ -252,7 +394,7 @@ TEST(ResumeOfAStrangeFolder, changes_nothing_that_a_link_leads_to) {
     EXPECT_EQ(read_file(victim / name), "mine") << name;
   fs::remove(run / "run.json");
   fs::create_symlink(victim / "run", run / "run.json");
-  expect_refused(run_program({"run", "--resume", run.string()}), {"run.json", "no regular file"});
+  expect_refused(run_program({"run", "--resume", run.string()}), {"is a link"});
   EXPECT_EQ(read_file(victim / "run"), "mine");
 }
 

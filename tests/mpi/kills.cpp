@@ -2,6 +2,7 @@
 // Kills runs of a small study at random moments by SIGKILL, resumes each on another number of ranks
 // and compares results.h5 with that of a run that nothing disturbed:
 //   kills [NUMBER]      prints a table for the verification of the journal (tests/README.md)
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <map>
@@ -82,18 +83,24 @@ constexpr const char* victims[] = {"the program, alone", "rank 0", "the last ran
 constexpr const char* moments[] = {"before the first unit", "while units run",
                                    "while results.h5 is written"};
 
-/// Goes on with what a kill left, or begins anew where it left nothing.
+bool has_partial_files(const fs::path& folder) {
+  return std::ranges::any_of(fs::recursive_directory_iterator(folder), [](const auto& entry) {
+    return entry.path().filename().string().find(".partial.") != std::string::npos;
+  });
+}
+
+/// Goes on with what a kill left, or begins anew where it left nothing, as cluster/slurm does.
 bool resumed_to(const std::string& results, const std::string& study, const fs::path& out,
                 int ranks, Row& row) {
   std::vector<std::string> run{"run", "--resume", out.string()};
-  if (glissade::has_identity(out)) {
-    row.with_units += glissade::has_units(out);
-  } else {
-    run = {"run", study, "--out", out.string(), "--overwrite"};
+  row.with_units += glissade::has_units(out);
+  if (!glissade::has_identity(out)) {
     ++row.anew;
+    if (!fs::exists(out / "run.json")) run = {"run", study, "--out", out.string()};
   }
   const Finished child = ranks == 0 ? run_program(run) : run_on(ranks, run);
-  if (child.status == 0 && read_file(out / "results.h5") == results) return true;
+  if (child.status == 0 && read_file(out / "results.h5") == results && !has_partial_files(out))
+    return true;
   std::fprintf(stderr, "status %d\n%s\n", child.status, child.err.c_str());
   return false;
 }

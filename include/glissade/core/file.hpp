@@ -32,6 +32,10 @@ void write_file(const std::filesystem::path& path, const WriteFile& write);
 /// InputError for the others.
 void create_text_file(const std::filesystem::path& path, std::string_view text);
 
+/// "a.csv" of "a.csv.partial.4711" or "a.csv.partial.4711.1", which a writer of a.csv left that was
+/// killed; empty for any other name.
+std::string whole_name(const std::string& partial_name);
+
 /// Flushes the names of a folder's files to the disk, where the file system can.
 void sync_folder(const std::filesystem::path& folder);
 

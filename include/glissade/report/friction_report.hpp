@@ -18,8 +18,9 @@ Table friction_table(const PullTestSummary& summary);
 /// 2012), with the mean of sliding friction and mean - 2 std by direction.
 Figure friction_figure(const std::vector<PullTest>& tests, const PullTestSummary& summary);
 
-/// Writes out_dir/tables/{friction,pull_tests}.csv and out_dir/figures/friction.{svg,pdf,gp,dat}.
+/// Writes out_dir/tables/{friction,pull_tests}.csv and out_dir/figures/friction.{svg,pdf,gp,dat},
+/// in the place of an earlier report (report_files.hpp).
 void write_friction_report(const std::vector<PullTest>& tests, const PullTestSummary& summary,
-                           const std::filesystem::path& out_dir);
+                           const std::filesystem::path& out_dir, bool overwrite);
 
 }  // namespace glissade

@@ -35,8 +35,10 @@ std::vector<std::string> warnings_of(const CalculationPackage& package);
 /// Within 80 columns, in plain ASCII.
 std::string package_screen(const CalculationPackage& package);
 
-/// Writes out_dir/package.html with figures and tables beside it. Throws InputError where a file
-/// cannot be written or gnuplot does not succeed.
-void write_package(const CalculationPackage& package, const std::filesystem::path& out_dir);
+/// Writes out_dir/package.html with figures and tables beside it, in the place of an earlier one
+/// (report_files.hpp). Throws InputError where a file cannot be written or gnuplot does not
+/// succeed.
+void write_package(const CalculationPackage& package, const std::filesystem::path& out_dir,
+                   bool overwrite);
 
 }  // namespace glissade

@@ -11,15 +11,17 @@
 #include "commands.hpp"
 #include "glissade/core/error.hpp"
 #include "glissade/core/file.hpp"
-#include "glissade/core/output_file.hpp"
+#include "glissade/core/folder.hpp"
 #include "glissade/design/design_clearance.hpp"
 #include "glissade/io/example_file.hpp"
 #include "glissade/io/journal.hpp"
 #include "glissade/io/project_file.hpp"
 #include "glissade/io/results_file.hpp"
 #include "glissade/io/sha256.hpp"
+#include "glissade/io/study_file.hpp"
 #include "glissade/io/suite_file.hpp"
 #include "glissade/report/package.hpp"
+#include "glissade/study/plan/plan.hpp"
 #include "output_rule.hpp"
 #include "put.hpp"
 #include "run/run_folder.hpp"
@@ -42,30 +44,6 @@ std::vector<ComponentFile> component_files(const fs::path& suite) {
   return files;
 }
 
-void make_folder(const fs::path& out) {
-  std::error_code error;
-  fs::create_directories(out, error);
-  if (error)
-    throw InputError({out.string(), "cannot be made: " + error.message(),
-                      "give a folder you may write to with --out", ""});
-}
-
-/// How far a study of the calculation is.
-enum class StudyProgress : char { none, begun, finished };
-
-/// Expects the study as the project now gives it. Throws InputError where a finished one differs.
-StudyProgress progress_of(const fs::path& file, const std::string& text) {
-  const fs::path folder = file.parent_path() / file.stem();
-  std::error_code ignored;
-  if (is_finished(folder / "run.json") && fs::exists(folder / "results.h5", ignored)) {
-    if (read_text_file(file) != text)
-      throw InputError({file.string(), "is not as the project now gives it",
-                        "undo the change of its files, or begin again with --overwrite", ""});
-    return StudyProgress::finished;
-  }
-  return has_identity(folder) ? StudyProgress::begun : StudyProgress::none;
-}
-
 /// A study of the calculation: the file is written on root, and run on all ranks.
 class MadeStudy {
  public:
@@ -73,34 +51,47 @@ class MadeStudy {
       : options_(options), world_(world) {}
 
   void run(const fs::path& file, const std::function<std::string()>& text) const {
-    std::vector<char> progress(1);
-    std::optional<std::string> earlier;
-    on_root(world_, [&] {
-      const std::string study = text();
-      if (!options_.resume.empty()) progress[0] = static_cast<char>(progress_of(file, study));
-      if (fs::exists(file)) earlier = read_text_file(file);
-      write_text_file(file, study);
-    });
-    world_.broadcast(progress);
-    const auto at = static_cast<StudyProgress>(progress[0]);
-    if (at == StudyProgress::finished) return;
     const std::string folder = (file.parent_path() / file.stem()).string();
-    const bool go_on = at == StudyProgress::begun;
+    std::optional<std::string> earlier;
     try {
+      std::vector<char> goes_on(1);
+      on_root(world_, [&] {
+        const std::string study = text();
+        if (fs::exists(file)) earlier = read_text_file(file);
+        write_text_file(file, study);
+        const bool resumes = !options_.resume.empty(), is_done = resumes && has_results(folder);
+        if (is_done) check_results(folder, file, study);
+        goes_on[0] = is_done || (resumes && has_identity(folder)) ? 1 : 0;
+      });
+      world_.broadcast(goes_on);
       run_study({.study = file.string(),
-                 .out = go_on ? "" : folder,
-                 .resume = go_on ? folder : "",
+                 .out = goes_on[0] != 0 ? "" : folder,
+                 .resume = goes_on[0] != 0 ? folder : "",
                  .overwrite = options_.overwrite || !options_.resume.empty(),
                  .quiet = true,
                  .stop_file = file.parent_path() / "stop"},
                 world_);
     } catch (const ExitStatus& exit) {
       if (world_.is_root() && exit.status == 2) put_back(file, earlier);
-      throw;
+      if (exit.status != 0) throw;  // 0: it was finished
     }
   }
 
  private:
+  /// Throws InputError where they are not those of the project as it is now.
+  static void check_results(const fs::path& folder, const fs::path& file, const std::string& text) {
+    const ResultsOrigin origin = read_origin(folder / "results.h5");
+    const StudyConfig study = read_study(file);
+    if (origin.study_text == text &&
+        origin.plan_hash == make_plan(study, {load_suite(study.suite_files.front())}).hash)
+      return;
+    throw InputError({(folder / "results.h5").string(),
+                      origin.study_text == text
+                          ? "is of other motions: the suite, or a file that it names, has changed"
+                          : "is not of the study that the project now gives",
+                      "undo the change, or begin again with --overwrite", ""});
+  }
+
   /// Of a study that is refused nothing stays, and an earlier file of the name comes back.
   static void put_back(const fs::path& file, const std::optional<std::string>& earlier) {
     std::error_code ignored;
@@ -149,7 +140,9 @@ class Calculation {
       out_ = resumes                ? fs::path(options_.resume)
              : options_.out.empty() ? fs::path("results") / file.stem()
                                     : fs::path(options_.out);
-      if (resumes && is_finished_calculation(out_)) {
+      if (resumes) check_own(out_);
+      if (resumes && is_finished_calculation(out_) && fs::exists(out_ / "package.html") &&
+          fs::exists(out_ / "package.json")) {
         put("{} is finished: {}\n", out_.string(), (out_ / "package.html").string());
         throw ExitStatus{0};
       }
@@ -160,12 +153,9 @@ class Calculation {
                           "undo the change, or begin again with --overwrite", ""});
       identity_ = now;
       if (!resumes) check_calculation_folder(out_, options_.overwrite);
-      make_folder(out_);
-      for (const char* name : {"package.html", "package.json"}) {  // earlier
-        std::error_code error;
-        fs::remove(out_ / name, error);
-        if (error) throw_io_error(out_ / name, "cannot be removed", error.value());
-      }
+      lock_ = take_folder(out_);
+      for (const char* name : {"package.html", "package.json"})
+        remove_file(out_ / name);  // earlier
       write_begun_calculation(identity_, "started", out_);
     });
     std::vector<char> out = path_text(out_);
@@ -189,19 +179,21 @@ class Calculation {
                                      identity_.project_sha256,
                                      sha256_of_file(project_->suite),
                                      build_text()};
-    write_package(package, out_);
+    write_package(package, out_, options_.overwrite);
     write_finished_calculation(identity_, package, world_.size(), out_);
+    lock_->give_back();
     put("{}\nPackage  {}   (print it from a browser)\n", package_screen(package),
         (out_ / "package.html").string());
   }
 
   /// A refused calculation that has nothing gives its folder back.
-  void leave(int status) const {
+  void leave(int status) {
     std::error_code ignored;
     fs::remove(out_ / "stop", ignored);
     const bool has_study = fs::exists(out_ / "demand", ignored);
     if (status == 2 && !has_study) {
       fs::remove(out_ / "run.json", ignored);
+      lock_.reset();
       fs::remove(out_, ignored);  // if empty
     } else if (has_study) {
       write_begun_calculation(identity_, "stopped", out_);
@@ -211,6 +203,7 @@ class Calculation {
   const ClearanceOptions& options_;
   const Communicator& world_;
   fs::path out_;
+  std::unique_ptr<RunLock> lock_;  // on root
   CalculationIdentity identity_;
   std::optional<Project> project_;
   std::optional<Results> demand_;

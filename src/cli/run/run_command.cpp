@@ -71,11 +71,15 @@ void write_all(const Plan& whole, RunHistories& all, std::uint64_t resumed,
   if (stop.requested()) end_stopped(out, stop.reason(), all.units, all.units);
   keeping_units(out, [&] { write_results(out / "results.h5", results); });
   clock.end_phase("results file");
-  write_beside_results(out, [&] { write_report(results, out, skips); });
-  clock.end_phase("report");
+  const auto record = [&](const std::string& what_to_do) {
+    write_text_file(out / "run.json", run_json(results, skips, clock, ranks, count, resumed,
+                                               all.other_ranks_mb, what_to_do));
+  };
   write_beside_results(out, [&] {
-    write_text_file(out / "run.json",
-                    run_json(results, skips, clock, ranks, count, resumed, all.other_ranks_mb));
+    record(resume_command(out));
+    write_report(results, out, skips, options.overwrite);
+    clock.end_phase("report");
+    record("");
   });
   if (options.quiet) return;
   put("{}\n", summary_text(results, skips));

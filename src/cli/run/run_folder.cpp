@@ -5,14 +5,18 @@
 
 #include <algorithm>
 #include <map>
+#include <optional>
 #include <utility>
 
 #include "clearance/calculation_record.hpp"
 #include "glissade/core/bytes.hpp"
 #include "glissade/core/file.hpp"
+#include "glissade/core/folder.hpp"
 #include "glissade/core/wrap.hpp"
 #include "glissade/io/results_file.hpp"
 #include "glissade/io/study_file.hpp"
+#include "glissade/report/report_files.hpp"
+#include "glissade/report/write_report.hpp"
 #include "glissade/study/run/exchange.hpp"
 #include "output_rule.hpp"
 #include "put.hpp"
@@ -82,39 +86,26 @@ void check_room(const fs::path& folder, const Plan& plan) {
 
 namespace {
 
-/// A run, or a merge that copied journals, was killed before it stated what it is.
+/// A run, or a merge that copied journals, was killed before it stated what it is: nothing that it
+/// computed is lost with its folder.
 bool was_killed_at_its_begin(const fs::path& folder) {
-  std::error_code ignored;
-  const auto others = [&](const fs::path& in, auto is_own) {
-    return std::ranges::any_of(fs::directory_iterator(in, ignored),
-                               [&](const auto& entry) { return !is_own(entry.path()); });
-  };
   const fs::path journal = folder / "journal";
-  return fs::is_directory(fs::symlink_status(journal, ignored)) &&
-         !others(folder, [](const fs::path& file) { return file.filename() == "journal"; }) &&
-         !others(journal, [](const fs::path& file) {
-           return file.filename() == "lock" || file.extension() == ".units";
+  std::error_code ignored;
+  return fs::is_directory(folder, ignored) && files_in(folder) == std::vector{journal} &&
+         !has_identity(folder) && std::ranges::all_of(files_in(journal), [](const fs::path& file) {
+           return file.filename() == "lock" || file.extension() == ".units" ||
+                  whole_name(file.filename()) == "run";
          });
 }
 
-/// What a run reads or replaces by its name is a file of its own: no link, pipe or device.
-void check_own_files(const fs::path& folder) {
-  for (const char* name : {"run.json", "journal/run", "journal/lock", "results.h5"}) {
-    std::error_code ignored;
-    const fs::file_status status = fs::symlink_status(folder / name, ignored);
-    if (!fs::exists(status) || fs::is_regular_file(status)) continue;
-    throw InputError({(folder / name).string(), "is no regular file",
-                      "remove it, or give the folder of a run", ""});
-  }
-}
-
-void remove_what_a_run_left(const fs::path& folder) {
-  std::error_code ignored;
-  for (const auto& entry : fs::directory_iterator(folder, ignored)) {
-    const std::string name = entry.path().filename();
-    if (name.starts_with("results.h5.partial.") || name.starts_with("run.json.partial.") ||
-        name == "stop")
-      fs::remove(entry.path(), ignored);
+/// Why the results of a run that states them cannot be relied on; nothing: they can.
+std::optional<InputError> fault_of_results(const fs::path& folder) {
+  const fs::path file = folder / "results.h5", run_json = folder / "run.json";
+  try {
+    if (read_origin(file).plan_hash == plan_hash_in(run_json)) return {};
+    return InputError({file.string(), "is of another run than " + run_json.string(), "", ""});
+  } catch (const InputError& error) {
+    return error;
   }
 }
 
@@ -128,17 +119,17 @@ std::string resume_command(const fs::path& folder) {
 }
 
 void check_run_folder(const fs::path& folder, bool overwrite) {
-  check_own_files(folder);
+  check_own(folder);
   if (is_running(folder)) {
     throw InputError({"--out", folder.string() + ": a run is going on in it",
                       "wait until it ends, or give another --out", ""});
   }
-  if (!overwrite && has_identity(folder) && !is_finished(folder / "run.json")) {
+  if (!overwrite && has_identity(folder)) {
     throw InputError(
         {"--out", folder.string() + " holds a run that was stopped or killed, or a part of one",
          "go on with: " + resume_command(folder) + ", or give another --out, or --overwrite", ""});
   }
-  if (!was_killed_at_its_begin(folder)) check_output_folder(folder, overwrite);
+  check_output_folder(folder, overwrite || was_killed_at_its_begin(folder));
 }
 
 std::unique_ptr<RunLock> take_run_folder(const fs::path& folder, const Plan& plan,
@@ -146,41 +137,84 @@ std::unique_ptr<RunLock> take_run_folder(const fs::path& folder, const Plan& pla
                                          const std::vector<FinishedPart>& parts) {
   check_run_folder(folder, overwrite);
   check_room(folder, plan);
-  const bool begins_anew = overwrite || was_killed_at_its_begin(folder);
-  auto lock = std::make_unique<RunLock>(folder);
-  if (begins_anew) {
-    lock->remove_journals();
-    remove_run(folder);
-    remove_what_a_run_left(folder);
-    lock = std::make_unique<RunLock>(folder);
-  }
+  auto lock = take_folder(folder);
+  std::error_code ignored;
   try {
+    lock->empty();
+    for (const char* name : {"run.json", "results.h5", "stop"}) remove_file(folder / name);
+    remove_report(folder);
     for (const FinishedPart& part : parts) copy_journals(part.folder, folder);
     write_identity(folder, run);
     create_text_file(folder / "run.json", started_json(plan.config.name, plan.hash));
   } catch (...) {
     lock->remove_journals();
-    std::error_code ignored;
     fs::remove(folder, ignored);  // if empty
     throw;
   }
   return lock;
 }
 
-StoppedRun take_stopped_run(const fs::path& folder, const fs::path& study) {
-  check_own_files(folder);
-  if (is_finished(folder / "run.json")) {
-    if (!study.empty()) {
-      check_same_study(read_study_text(folder / "results.h5"), study, read_study(study).source_text,
-                       folder);
-    }
-    if (!is_running(folder)) remove_journals(folder);  // of a run killed when it removed them
-    put("{} is finished\n", folder.string());
-    throw ExitStatus{0};
+namespace {
+
+/// The report that is missing is made.
+[[noreturn]] void end_finished(const fs::path& folder, const fs::path& study) {
+  const fs::path results_file = folder / "results.h5", run_json = folder / "run.json";
+  if (!study.empty()) {
+    check_same_study(read_origin(results_file).study_text, study, read_study(study).source_text,
+                     folder);
   }
-  StoppedRun run{nullptr, read_identity(folder)};
-  run.lock = std::make_unique<RunLock>(folder);
-  remove_what_a_run_left(folder);
+  std::error_code ignored;
+  const bool lacks_report = is_unreported(run_json);
+  if (lacks_report || fs::exists(folder / "journal", ignored)) {
+    const std::unique_ptr<RunLock> lock = take_folder(folder);
+    if (lacks_report) {
+      write_report(read_results(results_file), folder, skips_in(run_json));
+      write_text_file(run_json, reported_json(run_json));
+    }
+    lock->remove_journals();
+  }
+  put("{} is finished{}\n", folder.string(), lacks_report ? ": its report was made" : "");
+  throw ExitStatus{0};
+}
+
+[[noreturn]] void refuse_resume(const fs::path& folder, const std::optional<InputError>& fault) {
+  const std::string anew = "glissade run STUDY.toml --out " + quoted_for_shell(folder.string());
+  std::vector<Problem> problems;
+  if (fault) {
+    problems = fault->problems();
+    problems.push_back({folder.string(), "holds no journal to make the results again from",
+                        "run the study again: " + anew + " --overwrite", ""});
+  } else if (was_killed_at_its_begin(folder)) {
+    problems.push_back({folder.string(), "holds a run that was killed before its first unit",
+                        "begin it again: " + anew, ""});
+  } else {
+    problems.push_back({folder.string(), "holds no run that can be resumed",
+                        "give the folder of a run that was stopped, or run the study anew", ""});
+  }
+  throw InputError(std::move(problems));
+}
+
+}  // namespace
+
+bool has_results(const fs::path& folder) {
+  return is_finished(folder / "run.json") && !fault_of_results(folder);
+}
+
+StoppedRun take_stopped_run(const fs::path& folder, const fs::path& study) {
+  check_own(folder);
+  std::optional<InputError> fault;
+  if (is_finished(folder / "run.json")) {
+    fault = fault_of_results(folder);
+    if (!fault) end_finished(folder, study);
+  }
+  if (!has_identity(folder)) refuse_resume(folder, fault);
+  StoppedRun run{take_folder(folder), read_identity(folder)};
+  if (fault) {
+    const Problem& problem = fault->problems().front();
+    put("{}: {}: made again from the journal\n", problem.where, problem.what);
+  }
+  std::error_code ignored;
+  fs::remove(folder / "stop", ignored);
   return run;
 }
 
@@ -188,15 +222,12 @@ namespace {
 
 void leave(const fs::path& folder) noexcept {
   try {
-    const fs::path run_json = folder / "run.json", results = folder / "results.h5";
+    const fs::path run_json = folder / "run.json";
     if (!is_started(run_json)) return;
-    std::error_code ignored;
-    if (fs::exists(results, ignored)) {
-      write_text_file(run_json, unreported_json(run_json, results));
-      remove_journals(folder);
-    } else if (has_units(folder)) {
+    if (has_units(folder)) {
       write_text_file(run_json, failed_json(run_json, resume_command(folder)));
     } else {
+      std::error_code ignored;
       fs::remove(run_json, ignored);
       remove_journals(folder);
       fs::remove(folder, ignored);  // if empty
@@ -247,7 +278,7 @@ std::vector<FinishedPart> read_parts(const std::vector<std::string>& folders) {
   std::map<std::uint64_t, std::string> folder_of;  // by number of the part
   for (const std::string& folder : folders) {
     try {
-      check_own_files(folder);
+      check_own(folder);
       parts.push_back({folder, read_identity(folder)});
     } catch (const InputError& error) {
       problems.add(error);

@@ -55,21 +55,23 @@ std::unique_ptr<RunLock> take_run_folder(const std::filesystem::path& folder, co
                                          const RunIdentity& run, bool overwrite,
                                          const std::vector<FinishedPart>& parts);
 
+/// Whether the run in the folder has its results, and they are whole.
+bool has_results(const std::filesystem::path& folder);
+
 /// The folder of a run that was stopped or killed, for its resumption.
 struct StoppedRun {
   std::unique_ptr<RunLock> lock;
   RunIdentity begun;
 };
-/// Throws InputError where there is none, and where the run is finished ExitStatus 0, or InputError
-/// if it was of another study.
+/// Throws InputError where there is none. Where the run has its results, which are checked, the
+/// report is made if it is missing; then ExitStatus 0, or InputError if it was of another study.
 /// @param study the study file to resume with; empty: as the run began
 StoppedRun take_stopped_run(const std::filesystem::path& folder,
                             const std::filesystem::path& study);
 
 /// Made on root once the results folder is taken. Where an exception of any kind ends the
-/// run, of any rank, it leaves the folder as it can be used: with results.h5, run.json states that
-/// the results are complete and how to make the report; with units in a journal the run can be
-/// resumed; without either the folder is given back as it was before the run.
+/// run before its results are written, on any rank, it leaves the folder as it can be used: with
+/// units in a journal the run can be resumed; without the folder is given back as it was before.
 class RunFolderGuard {
  public:
   /// @param folder empty: none was taken
@@ -112,11 +114,10 @@ void write_beside_results(const std::filesystem::path& folder, Write write) {
   try {
     write();
   } catch (const InputError& error) {
-    const std::string results = (folder / "results.h5").string();
     ProblemList problems;
     problems.add(error);
-    problems.add({results, "is complete",
-                  "make the rest again with: glissade report --overwrite " + results, ""});
+    problems.add({(folder / "results.h5").string(), "is complete",
+                  "make the rest again with: " + resume_command(folder), ""});
     problems.throw_if_any();
   }
 }

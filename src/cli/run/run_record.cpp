@@ -34,23 +34,8 @@ std::string host_name() {
 
 using Json = nlohmann::ordered_json;
 
-constexpr const char* unreported = "results written, report failed";
+constexpr const char* unreported = "results written, report missing";
 constexpr const char* part_finished = "part finished";
-
-struct RunHead {
-  std::string study, plan_hash, program_version;
-};
-
-/// How every finished run.json begins.
-Json finished(const RunHead& head, int ranks) {
-  return {{"study", head.study},
-          {"plan_hash", head.plan_hash},
-          {"program_version", head.program_version},
-          {"status", "finished"},
-          {"finished_utc", now_utc()},
-          {"host", host_name()},
-          {"ranks", ranks}};
-}
 
 void add_phases(Json& json, const PhaseClock& clock) {
   for (const auto& [phase, seconds] : clock.phases()) json["seconds"][phase] = seconds;
@@ -87,8 +72,15 @@ std::string started_json(const std::string& study_name, const std::string& plan_
 
 std::string run_json(const Results& results, const std::vector<Skip>& skips,
                      const PhaseClock& clock, int ranks, const WorkCount& count,
-                     std::uint64_t resumed, double other_ranks_mb) {
-  Json json = finished({results.study_name, results.plan_hash, results.program_version}, ranks);
+                     std::uint64_t resumed, double other_ranks_mb, const std::string& what_to_do) {
+  Json json{{"study", results.study_name},
+            {"plan_hash", results.plan_hash},
+            {"program_version", results.program_version},
+            {"status", what_to_do.empty() ? "finished" : unreported},
+            {"finished_utc", now_utc()},
+            {"host", host_name()},
+            {"ranks", ranks}};
+  if (!what_to_do.empty()) json["what_to_do"] = what_to_do;
   json["histories_integrated"] = count.integrated + count.searched;
   json["histories_at_levels"] = count.integrated;
   json["histories_in_search"] = count.searched;
@@ -127,9 +119,13 @@ std::string run_json(const Results& results, const std::vector<Skip>& skips,
 
 namespace {
 
-Json status_in(const std::filesystem::path& run_json_file) {
+Json value_in(const std::filesystem::path& run_json_file, const char* key) {
   const Json json = read_run_json(run_json_file);
-  return json.is_object() ? json.value("status", Json()) : Json();
+  return json.is_object() ? json.value(key, Json()) : Json();
+}
+
+Json status_in(const std::filesystem::path& run_json_file) {
+  return value_in(run_json_file, "status");
 }
 
 /// A started run.json, to which what is to be done is added.
@@ -180,11 +176,20 @@ bool is_finished_part(const std::filesystem::path& run_json_file) {
   return status_in(run_json_file) == part_finished;
 }
 
-std::string unreported_json(const std::filesystem::path& run_json_file,
-                            const std::filesystem::path& results_file) {
+bool is_unreported(const std::filesystem::path& run_json_file) {
+  return status_in(run_json_file) == unreported;
+}
+
+std::string plan_hash_in(const std::filesystem::path& run_json_file) {
+  const Json hash = value_in(run_json_file, "plan_hash");
+  return hash.is_string() ? hash.get<std::string>() : "";
+}
+
+std::string reported_json(const std::filesystem::path& run_json_file) {
   Json json = read_run_json(run_json_file);
-  json["status"] = unreported;
-  json["what_to_do"] = "glissade report --overwrite " + quoted_for_shell(results_file.string());
+  json["status"] = "finished";
+  json["finished_utc"] = now_utc();
+  json.erase("what_to_do");
   return json.dump(2) + "\n";
 }
 
@@ -216,7 +221,7 @@ std::vector<Skip> skips_in(const std::filesystem::path& run_json_file) {
   const Json json = read_run_json(run_json_file);
   if (!json.is_object()) throw refused("no JSON object {} of less than 1 MiB can be read");
   const Json skipped = json.value("skipped", Json());
-  if (skipped.is_null() && json.value("status", Json()) != "finished") return {};  // unreported
+  if (skipped.is_null() && json.value("status", Json()) != "finished") return {};
   if (!skipped.is_array()) throw refused("it has no list \"skipped\": []");
   std::vector<Skip> skips;
   for (const Json& entry : skipped) skips.push_back(skip_in(entry, refused));

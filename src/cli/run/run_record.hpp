@@ -51,20 +51,24 @@ std::string failed_json(const std::filesystem::path& run_json_file, const std::s
 std::string part_json(const std::filesystem::path& run_json_file, std::uint64_t units);
 bool is_finished_part(const std::filesystem::path& run_json_file);
 
-/// Whether a run.json is that of a run with results.
+/// Whether a run.json states that the results are written; the results are to be checked.
 bool is_finished(const std::filesystem::path& run_json_file);
+/// And that the report of them is missing.
+bool is_unreported(const std::filesystem::path& run_json_file);
+/// Empty where it states none.
+std::string plan_hash_in(const std::filesystem::path& run_json_file);
 
-/// A started run.json as it is of a run that wrote its results and then failed.
-std::string unreported_json(const std::filesystem::path& run_json_file,
-                            const std::filesystem::path& results_file);
+/// An unreported run.json as it is once the report is there.
+std::string reported_json(const std::filesystem::path& run_json_file);
 
 /// run.json: when, where, on how many ranks, how long, and what was skipped: all that results.h5
 /// must not contain.
+/// @param what_to_do to make the report, which is missing; empty: the run is finished
 /// @param resumed units that earlier sessions of the run had finished
 /// @param other_ranks_mb the largest peak_memory_mb() of ranks other than this; 0: there are none
 std::string run_json(const Results& results, const std::vector<Skip>& skips,
                      const PhaseClock& clock, int ranks, const WorkCount& count,
-                     std::uint64_t resumed, double other_ranks_mb);
+                     std::uint64_t resumed, double other_ranks_mb, const std::string& what_to_do);
 
 /// The largest memory that this process has had so far.
 double peak_memory_mb();

@@ -149,10 +149,13 @@ Results read_results(const std::filesystem::path& file) {
   return results;
 }
 
-std::string read_study_text(const std::filesystem::path& file) {
-  std::string text;
-  read_results_of(kind, file, [&](const Hdf5Reader& root) { root.attribute("study", text); });
-  return text;
+ResultsOrigin read_origin(const std::filesystem::path& file) {
+  ResultsOrigin origin;
+  read_results_of(kind, file, [&](const Hdf5Reader& root) {
+    root.attribute("study", origin.study_text);
+    root.attribute("plan_hash", origin.plan_hash);
+  });
+  return origin;
 }
 
 }  // namespace glissade

@@ -298,7 +298,8 @@ Html records_html(const CalculationPackage& package) {
 
 }  // namespace
 
-void write_package(const CalculationPackage& package, const std::filesystem::path& out_dir) {
+void write_package(const CalculationPackage& package, const std::filesystem::path& out_dir,
+                   bool overwrite) {
   const LengthUnits units(package.project.units);
   std::vector<Table> tables{title_table(package.project),
                             inputs_table(package),
@@ -314,8 +315,8 @@ void write_package(const CalculationPackage& package, const std::filesystem::pat
                             compared_table(package),
                             checks_table(package)};
   for (Table& table : given_curves(package.project)) tables.push_back(std::move(table));
-  write_tables(tables, out_dir);
-  const std::vector<DrawnFigure> figures = draw(package_figures(package), out_dir);
+  const std::vector<DrawnFigure> figures = write_parts(
+      {"package.html", std::move(tables), package_figures(package)}, out_dir, overwrite);
   const bool has_demand_figure = figures.size() > 2;
   const Html page =
       page_head({package.project.title.name, "calculation of required separations",

@@ -8,6 +8,7 @@
 
 #include "glissade/core/file.hpp"
 #include "glissade/core/wrap.hpp"
+#include "glissade/report/report_files.hpp"
 
 namespace glissade {
 namespace {
@@ -107,17 +108,23 @@ Html figures_html(const std::vector<DrawnFigure>& figures) {
   return html;
 }
 
-void write_tables(const std::vector<Table>& tables, const std::filesystem::path& out_dir) {
-  for (const Table& table : tables)
+std::vector<DrawnFigure> write_parts(ReportParts parts, const std::filesystem::path& out_dir,
+                                     bool overwrite) {
+  std::vector<std::string> names;
+  if (!parts.page.empty()) names.push_back(parts.page);
+  for (const Table& table : parts.tables) names.push_back("tables/" + (table.name + ".csv"));
+  for (const Figure& figure : parts.figures)
+    for (const char* ending : {".dat", ".gp", ".svg", ".pdf"})
+      names.push_back("figures/" + (figure.name + ending));
+  begin_report(out_dir, names, overwrite);
+  for (const Table& table : parts.tables)
     write_text_file(out_dir / "tables" / (table.name + ".csv"), to_csv(table));
-}
-
-std::vector<DrawnFigure> draw(std::vector<Figure> figures, const std::filesystem::path& out_dir) {
-  std::vector<DrawnFigure> drawn(figures.size());
-  tbb::parallel_for(std::size_t{0}, figures.size(), [&](std::size_t i) {
-    render_figure(figures[i], out_dir / "figures");
-    std::string svg = read_text_file(out_dir / "figures" / (figures[i].name + ".svg"));
-    drawn[i] = {std::move(figures[i]), std::move(svg)};
+  std::vector<DrawnFigure> drawn(parts.figures.size());
+  tbb::parallel_for(std::size_t{0}, drawn.size(), [&](std::size_t i) {
+    Figure& figure = parts.figures[i];
+    render_figure(figure, out_dir / "figures");
+    std::string svg = read_text_file(out_dir / "figures" / (figure.name + ".svg"));
+    drawn[i] = {std::move(figure), std::move(svg)};
   });
   return drawn;
 }

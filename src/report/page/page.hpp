@@ -31,10 +31,15 @@ Html study_file(const std::string& text);
 Html wide_table(const Table& table);
 /// The table; where it is long, that it is a file.
 Html table_or_file(const Table& table);
-/// Writes out_dir/tables/NAME.csv of each.
-void write_tables(const std::vector<Table>& tables, const std::filesystem::path& out_dir);
-/// Draws into out_dir/figures.
-std::vector<DrawnFigure> draw(std::vector<Figure> figures, const std::filesystem::path& out_dir);
+struct ReportParts {
+  std::string page;  ///< its file, which the caller writes; empty: none
+  std::vector<Table> tables;
+  std::vector<Figure> figures;
+};
+/// In the place of an earlier report (begin_report): writes out_dir/tables/NAME.csv of each table,
+/// then draws into out_dir/figures.
+std::vector<DrawnFigure> write_parts(ReportParts parts, const std::filesystem::path& out_dir,
+                                     bool overwrite);
 /// Drawings in order, each with its number, title and caption.
 Html figures_html(const std::vector<DrawnFigure>& figures);
 /// Scrolls sideways where the screen is too narrow for its letters.

@@ -94,6 +94,14 @@ TEST(write_text_file, leaves_a_partial_file_of_another_process_alone) {
   EXPECT_EQ(read_text_file(file), "text");
 }
 
+TEST(whole_name, is_that_of_the_file_which_a_killed_writer_did_not_end) {
+  EXPECT_EQ(whole_name("a.csv.partial.4711"), "a.csv");
+  EXPECT_EQ(whole_name("a.partial.1.csv.partial.4711.2"), "a.partial.1.csv");
+  for (const char* other : {"a.csv", "a.csv.partial", "a.csv.partial.", "a.csv.partial.mine",
+                            "a.csv.partial.1.old", "a.csv.partial..1"})
+    EXPECT_EQ(whole_name(other), "") << other;
+}
+
 TEST(read_text_file, tells_of_a_file_that_is_not_there) {
   EXPECT_THROW(read_text_file(fs::path(testing::TempDir()) / "glissade_no_such_file"), InputError);
   EXPECT_THROW(read_text_file(fs::path(testing::TempDir()) / std::string(5000, 'x')), InputError);

@@ -60,10 +60,13 @@ Table friction_table(const PullTestSummary& summary) {
 }
 
 void write_friction_report(const std::vector<PullTest>& tests, const PullTestSummary& summary,
-                           const std::filesystem::path& out_dir) {
-  if (tests.empty()) return write_tables({friction_table(summary)}, out_dir);
-  write_tables({friction_table(summary), pull_tests_table(summary)}, out_dir);
-  render_figure(friction_figure(tests, summary), out_dir / "figures");
+                           const std::filesystem::path& out_dir, bool overwrite) {
+  ReportParts parts{.tables = {friction_table(summary)}};
+  if (!tests.empty()) {
+    parts.tables.push_back(pull_tests_table(summary));
+    parts.figures.push_back(friction_figure(tests, summary));
+  }
+  write_parts(std::move(parts), out_dir, overwrite);
 }
 
 }  // namespace glissade
