@@ -4,6 +4,7 @@
 #include <boost/math/distributions/binomial.hpp>
 #include <boost/math/distributions/chi_squared.hpp>
 #include <boost/math/distributions/students_t.hpp>
+#include <cmath>
 
 namespace glissade {
 
@@ -27,6 +28,11 @@ double binomial_lower_end(double trials, double successes, double tail) {
 
 double binomial_upper_end(double trials, double successes, double tail) {
   return binomial::find_upper_bound_on_p(trials, successes, tail);
+}
+
+double log_gamma(double x) {
+  int sign = 0;
+  return lgamma_r(x, &sign);
 }
 
 }  // namespace glissade

@@ -15,4 +15,7 @@ double chi_squared_quantile(double freedom, double probability);
 double binomial_lower_end(double trials, double successes, double tail);
 double binomial_upper_end(double trials, double successes, double tail);
 
+/// ln |gamma(x)|, for threads too: std::lgamma writes the sign to a global variable.
+double log_gamma(double x);
+
 }  // namespace glissade

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "glissade/core/distributions.hpp"
 #include "glissade/fragility/fit.hpp"
 #include "lognormal/likelihood.hpp"
 #include "lognormal/point_fit.hpp"
@@ -43,8 +44,8 @@ double stripe_log_likelihood(const std::vector<Stripe>& stripes, const Fragility
   const StripeData data = to_data(stripes);
   double sum = stripe_likelihood(data, to_line(curve, data.center)).value;
   for (const Stripe& s : stripes) {
-    sum += std::lgamma(s.trials + 1) - std::lgamma(s.exceedances + 1) -
-           std::lgamma(s.trials - s.exceedances + 1);
+    sum += log_gamma(s.trials + 1) - log_gamma(s.exceedances + 1) -
+           log_gamma(s.trials - s.exceedances + 1);
   }
   return sum;
 }

@@ -9,6 +9,7 @@
 #include <numbers>
 
 #include "glissade/core/contract.hpp"
+#include "glissade/core/distributions.hpp"
 
 namespace glissade {
 namespace {
@@ -41,7 +42,7 @@ Rdk10Envelope::Rdk10Envelope(const Rdk10Parameters& parameters)
     : shape_(shape_of_ratio(parameters.significant_duration_s / parameters.middle_time_s)),
       scale_s_(parameters.middle_time_s / unit_quantile(0.45, shape_)),
       a1_(std::sqrt(parameters.arias_g2s *
-                    std::exp(-shape_ * std::log(scale_s_) - std::lgamma(shape_)))) {}
+                    std::exp(-shape_ * std::log(scale_s_) - log_gamma(shape_)))) {}
 
 double Rdk10Envelope::operator()(double time_s) const {
   return a1_ * std::pow(time_s, a2() - 1.0) * std::exp(-a3() * time_s);
