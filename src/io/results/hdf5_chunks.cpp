@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "results/hdf5_chunks.hpp"
 
-#include <tbb/parallel_for.h>
 #include <zlib.h>
 
 #include <algorithm>
 #include <array>
 #include <bit>
+
+#include "glissade/core/in_parallel.hpp"
 
 namespace glissade {
 namespace {
@@ -132,7 +133,7 @@ void write_chunks(hid_t dataset, const DatasetShape& shape, std::span<const std:
   const Cut cut(shape);
   std::array<Bytes, at_a_time> batch;
   in_batches(cut.count(), [&](std::size_t first, std::size_t count) {
-    tbb::parallel_for(std::size_t{0}, count, [&](std::size_t i) {
+    in_parallel(count, [&](std::size_t i) {
       batch[i] = packed(cut.of(values, first + i), shape.value_bytes, cut.bytes());
     });
     for (std::size_t i = 0; i < count; ++i) {
@@ -186,8 +187,7 @@ void take_chunks(hid_t dataset, const Cut& cut, const std::string& name, Take ta
           left_out != 0)
         throw damaged();
     }
-    tbb::parallel_for(std::size_t{0}, count,
-                      [&](std::size_t i) { is_whole[i] = take(first + i, batch[i]); });
+    in_parallel(count, [&](std::size_t i) { is_whole[i] = take(first + i, batch[i]); });
     if (!std::all_of(is_whole.begin(), is_whole.begin() + static_cast<std::ptrdiff_t>(count),
                      [](bool whole) { return whole; }))
       throw damaged();

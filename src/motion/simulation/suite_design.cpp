@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "glissade/motion/simulation/suite_design.hpp"
 
-#include <tbb/parallel_for.h>
-
 #include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 
 #include "glissade/core/error.hpp"
+#include "glissade/core/in_parallel.hpp"
 #include "glissade/core/units.hpp"
 #include "glissade/motion/intensity.hpp"
 #include "glissade/motion/simulation/gain_calibration.hpp"
@@ -193,7 +192,7 @@ SyntheticRecipe design_suite(int level, std::uint64_t seed) {
   const TargetSpectrum target(recipe.target);
   const std::vector<double> periods_s = walters_periods_s();
   std::vector<SpectralFit> fits(candidates.size());
-  tbb::parallel_for(std::size_t{0}, fits.size(), [&](std::size_t i) {
+  in_parallel(fits.size(), [&](std::size_t i) {
     fits[i] = fit_to_target(simulate_motion(recipe, candidates[i]), target, periods_s);
   });
   for (const std::size_t k : choose(fits, recipe.max_scale)) {

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "glissade/motion/simulation/synthetic_suite.hpp"
 
-#include <tbb/parallel_for.h>
-
+#include "glissade/core/in_parallel.hpp"
 #include "glissade/motion/simulation/components.hpp"
 
 namespace glissade {
@@ -41,7 +40,7 @@ Suite simulate_suite(const SyntheticRecipe& recipe) {
               .target = recipe.target,
               .nearest_to_target = recipe.nearest_to_target};
   suite.motions.resize(recipe.motions.size());
-  tbb::parallel_for(std::size_t{0}, recipe.motions.size(), [&](std::size_t i) {
+  in_parallel(recipe.motions.size(), [&](std::size_t i) {
     suite.motions[i] = simulate_motion(recipe, recipe.motions[i]);
   });
   return suite;

@@ -2,11 +2,11 @@
 #include "page/page.hpp"
 
 #include <fmt/format.h>
-#include <tbb/parallel_for.h>
 
 #include <algorithm>
 
 #include "glissade/core/file.hpp"
+#include "glissade/core/in_parallel.hpp"
 #include "glissade/core/wrap.hpp"
 #include "glissade/report/report_files.hpp"
 
@@ -120,7 +120,7 @@ std::vector<DrawnFigure> write_parts(ReportParts parts, const std::filesystem::p
   for (const Table& table : parts.tables)
     write_text_file(out_dir / "tables" / (table.name + ".csv"), to_csv(table));
   std::vector<DrawnFigure> drawn(parts.figures.size());
-  tbb::parallel_for(std::size_t{0}, drawn.size(), [&](std::size_t i) {
+  in_parallel(drawn.size(), [&](std::size_t i) {
     Figure& figure = parts.figures[i];
     render_figure(figure, out_dir / "figures");
     std::string svg = read_text_file(out_dir / "figures" / (figure.name + ".svg"));

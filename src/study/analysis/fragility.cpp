@@ -2,14 +2,13 @@
 #include "glissade/study/analysis/fragility.hpp"
 
 #include <fmt/format.h>
-#include <tbb/parallel_for.h>
-#include <tbb/parallel_invoke.h>
 
 #include <algorithm>
 #include <cmath>
 
 #include "analysis/pooled_level.hpp"
 #include "analysis/shape/threshold_data.hpp"
+#include "glissade/core/in_parallel.hpp"
 #include "glissade/fragility/share.hpp"
 #include "glissade/motion/improbable.hpp"
 #include "glissade/study/analysis/impact.hpp"
@@ -161,8 +160,13 @@ RunResults fragility_of(const StudyConfig& config, const Results& results,
           compare(standards[s], levels[level], config.standards, pooled);
     }
   };
-  tbb::parallel_invoke([&] { tbb::parallel_for(std::size_t{0}, run.fragilities.size(), fit); },
-                       [&] { tbb::parallel_for(std::size_t{0}, levels.size(), describe_level); });
+  const std::size_t fits = run.fragilities.size();
+  in_parallel(fits + levels.size(), [&](std::size_t i) {
+    if (i < fits)
+      fit(i);
+    else
+      describe_level(i - fits);
+  });
   if (config.impact)
     run.impact =
         impact_statistics(results.histories, slice_of(run), levels, results.thresholds_m, options);
@@ -177,8 +181,8 @@ std::vector<RunResults> FragilityAnalysis::find(const StudyConfig& config, const
   for (std::size_t i = 0; i < set.combinations(); ++i)
     if (set.cases[set.index(i, 0, 0)].support == ArraySupport::isolated) isolated.push_back(i);
   std::vector<RunResults> runs(isolated.size());
-  tbb::parallel_for(std::size_t{0}, runs.size(),
-                    [&](std::size_t i) { runs[i] = fragility_of(config, results, isolated[i]); });
+  in_parallel(runs.size(),
+              [&](std::size_t i) { runs[i] = fragility_of(config, results, isolated[i]); });
   return runs;
 }
 

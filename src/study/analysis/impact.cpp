@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "glissade/study/analysis/impact.hpp"
 
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include "analysis/pooled_level.hpp"
 #include "glissade/core/contract.hpp"
+#include "glissade/core/in_parallel.hpp"
 #include "glissade/core/quantile.hpp"
 #include "glissade/fragility/share.hpp"
 
@@ -85,7 +84,7 @@ std::vector<ImpactStatistics> impact_statistics(const HistoryTable& histories, C
                                                 const BootstrapOptions& options) {
   GLISSADE_EXPECTS(histories.records > 0 && cases.count > 0);
   std::vector<ImpactStatistics> all(thresholds_m.size() * levels.size());
-  tbb::parallel_for(std::size_t{0}, all.size(), [&](std::size_t i) {
+  in_parallel(all.size(), [&](std::size_t i) {
     const std::size_t t = i / levels.size(), l = i % levels.size();
     all[i] = statistics_of(Happened(histories, cases, l, t), cases.count, options);
     all[i].level = levels[l];

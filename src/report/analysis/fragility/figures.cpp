@@ -2,12 +2,12 @@
 #include "glissade/report/figures.hpp"
 
 #include <fmt/format.h>
-#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 
+#include "glissade/core/in_parallel.hpp"
 #include "glissade/core/quantile.hpp"
 #include "glissade/report/format.hpp"
 #include "text/study_text.hpp"
@@ -171,9 +171,8 @@ Figure ida_figure(const Results& results, const RunResults& run) {
   DataSeries records{DataSeries::Kind::line, look(Role::record), "records",
                      "each record, median over its samples"};
   std::vector<LevelSlips> slips(slip.levels);
-  tbb::parallel_for(std::size_t{0}, slip.levels, [&](std::size_t level) {
-    slips[level] = slips_at(slip, slice_of(run), level);
-  });
+  in_parallel(slip.levels,
+              [&](std::size_t level) { slips[level] = slips_at(slip, slice_of(run), level); });
   for (std::size_t i = 0; i < slip.records; ++i) {
     for (std::size_t l = 0; l < slip.levels; ++l)
       records.add(slips[l].record_medians_m[i], results.levels.at(l));
