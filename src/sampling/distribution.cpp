@@ -18,9 +18,8 @@ namespace {
 struct Share {
   double below, above;
 };
-double normal_quantile(Share share) {
-  return share.below < share.above ? glissade::normal_quantile(share.below)
-                                   : -glissade::normal_quantile(share.above);
+double standard_quantile(Share share) {
+  return share.below < share.above ? normal_quantile(share.below) : -normal_quantile(share.above);
 }
 
 boost::math::triangular boost_triangular(const Triangular& d) { return {d.min, d.mode, d.max}; }
@@ -47,18 +46,20 @@ struct Quantile {
   double u;
 
   double operator()(const Fixed& d) const { return d.value; }
-  double operator()(const Normal& d) const { return d.mean + d.std * normal_quantile({u, 1 - u}); }
+  double operator()(const Normal& d) const {
+    return d.mean + d.std * standard_quantile({u, 1 - u});
+  }
   double operator()(const TruncatedNormal& d) const {
     // Probabilities of the parent below and above the value: sums of positive terms, so exact in
     // both tails.
     const double a = (d.min - d.mean) / d.std, b = (d.max - d.mean) / d.std;
     const double below_min = normal_cdf(a), above_max = normal_cdf(-b);
     const double inside = a > 0 ? normal_cdf(-a) - above_max : normal_cdf(b) - below_min;
-    const double z = normal_quantile({below_min + u * inside, above_max + (1 - u) * inside});
+    const double z = standard_quantile({below_min + u * inside, above_max + (1 - u) * inside});
     return std::clamp(d.mean + d.std * z, d.min, d.max);
   }
   double operator()(const LogNormal& d) const {
-    return d.median * std::exp(d.log_std * normal_quantile({u, 1 - u}));
+    return d.median * std::exp(d.log_std * standard_quantile({u, 1 - u}));
   }
   double operator()(const Uniform& d) const { return std::lerp(d.min, d.max, u); }
   double operator()(const Triangular& d) const { return quantile(boost_triangular(d), u); }
