@@ -3,6 +3,7 @@
 
 #include "mpi/kill.hpp"
 #include "mpi/mpirun.hpp"
+#include "sanitized.hpp"
 
 namespace glissade::test {
 namespace {
@@ -10,7 +11,9 @@ namespace {
 namespace fs = std::filesystem;
 
 /// Still under way when the ranks notice that mpirun is dead.
-std::string long_study() { return replaced(small_study(), "samples = 8", "samples = 128"); }
+std::string long_study() {
+  return replaced(small_study(), "samples = 8", "samples = " + std::to_string(128 / slowdown));
+}
 
 /// Beside the results of one process that nothing disturbed.
 class Kills : public testing::Test {

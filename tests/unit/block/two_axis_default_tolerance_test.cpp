@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "glissade/block/two_axis_lanes.hpp"
+#include "sanitized.hpp"
 #include "unit/block/truth_scenes.hpp"
 
 namespace glissade {
@@ -26,12 +27,14 @@ std::vector<double> without_largest(std::vector<double> x) {
   return x;
 }
 
-/// Of 25 scenes on each of four roofs, those that slide more than 10 um.
+constexpr int scenes_of_a_roof = 25 / test::slowdown;
+
+/// Of the scenes on each of four roofs, those that slide more than 10 um.
 Errors errors_of(Law law) {
   Errors errors;
   std::mt19937 random(2026);
   for (const test::Roof roof : test::all_roofs)
-    for (int k = 0; k < 25; ++k) {
+    for (int k = 0; k < scenes_of_a_roof; ++k) {
       const test::OnBuilding scene = test::truth_scene(random, roof, law, 100);
       const test::TwoAxisTruth truth(test::as_truth(scene), 1e-9);
       if (truth.peak_m < 1e-5L) continue;
@@ -48,7 +51,7 @@ Errors errors_of(Law law) {
 TEST(default_tolerance, keeps_the_error_that_the_headers_state) {
   for (const Law law : test::all_laws) {
     const Errors errors = errors_of(law);
-    EXPECT_GT(errors.scalar.size(), 60u);
+    EXPECT_GT(errors.scalar.size(), 60u / test::slowdown);
     EXPECT_LE(median(errors.scalar), 3e-7);
     EXPECT_LE(median(errors.lanes), 3e-7);
     if (law == Law::static_friction) {  // slip is discontinuous: one in a hundred may differ
