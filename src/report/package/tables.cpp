@@ -14,6 +14,7 @@
 #include "glissade/fragility/hazard.hpp"
 #include "glissade/report/format.hpp"
 #include "package/units.hpp"
+#include "text/study_text.hpp"
 
 namespace glissade {
 namespace {
