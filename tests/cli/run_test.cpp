@@ -235,7 +235,7 @@ TEST(RunThatDoesNotConverge, ends_with_finite_capacities_counts_and_names) {
   for (const auto& [from, to] :
        {std::pair{"[sampling]", "fast_over_slow = 0.001\nrate_s_per_m = 1e5\n[sampling]"},
         {"samples = 8", "samples = 1"},
-        {"[0.05, 0.2]", "0.2"},
+        {"[0.05, 0.2]", "[0.2]"},
         {"[\"sampled\", \"design\"]", "\"sampled\""}})
     text = replaced(text, from, to);
   const std::string study = folder.write("study.toml", text);
