@@ -28,8 +28,8 @@ T checked(T result, const std::string& doing) {
 class Hdf5Handle {
  public:
   using Close = herr_t (*)(hid_t);
-  Hdf5Handle(hid_t id, Close close, const std::string& doing)
-      : id_(checked(id, doing)), close_(close) {}
+  Hdf5Handle(hid_t id, Close how, const std::string& doing)
+      : id_(checked(id, doing)), close_(how) {}
   Hdf5Handle(Hdf5Handle&& other) noexcept
       : id_(std::exchange(other.id_, H5I_INVALID_HID)), close_(other.close_) {}
   Hdf5Handle(const Hdf5Handle&) = delete;
