@@ -89,10 +89,10 @@ struct Rows {
 };
 
 /// The responses at the lanes' nodes, each by the table of its regime.
-struct Responses {
+struct LaneResponses {
   V x, y;
 };
-HWY_INLINE Responses ResponsesAt(const LaneTables& tables, V index, I node) {
+HWY_INLINE LaneResponses ResponsesAt(const LaneTables& tables, V index, I node) {
   const Doubles d;
   alignas(64) double regime[8], x[8], y[8];
   alignas(64) std::int64_t at[8];
@@ -202,7 +202,7 @@ HWY_INLINE void SetReference(const Rows& rows, const LaneTables& tables, V index
                              const Ends& ends, const Present& now, V intensity, Mask ended) {
   CoupledLanes& l = rows.lanes;
   const Regimes<yields> regimes(tables, index);
-  const Responses response = ResponsesAt(tables, index, node);
+  const LaneResponses response = ResponsesAt(tables, index, node);
   const V re = (now.x + regimes.Get(&LaneRegime::weight) * Number(tables.gravity_mps2)) -
                intensity * response.x,
           rate = now.y - intensity * response.y,

@@ -46,14 +46,14 @@ bool is_line(const DataSeries& series) {
 }
 
 /// What a plot of gnuplot's drawing shows.
-struct Drawn {
+struct DrawnSeries {
   const Panel* panel = nullptr;
   const DataSeries* series = nullptr;
 };
 
 /// The first plot of a panel, "1", is of nothing, for its axes; then the series with numbers, in
 /// order. "3b": the second one of the second panel.
-Drawn drawn_as(const Figure& figure, const std::string& number) {
+DrawnSeries drawn_as(const Figure& figure, const std::string& number) {
   std::size_t plot = 0;
   const char* end = number.data() + number.size();
   const char* letter = std::from_chars(number.data(), end, plot).ptr;
@@ -107,7 +107,7 @@ std::string with_tooltips(const std::string& svg, const Figure& figure) {
     const std::size_t next = svg.find(plot_begin, at + 1);
     std::string one = svg.substr(at, next - at);
     const std::size_t number = plot_begin.size();
-    const Drawn drawn = drawn_as(figure, one.substr(number, one.find('"', number) - number));
+    const DrawnSeries drawn = drawn_as(figure, one.substr(number, one.find('"', number) - number));
     if (drawn.series != nullptr) one = with_titles(one, titles_of(*drawn.panel, *drawn.series));
     const std::string_view end = "</title>";
     if (const std::size_t begin = one.find("<title>" + name); begin != std::string::npos)

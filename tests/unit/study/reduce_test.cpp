@@ -235,7 +235,7 @@ TEST(reduce, has_histories_that_slide_freely_in_the_observed_shares_the_curves_a
   for (const FitSummary& fit : {f.capacities, f.stripes}) {
     EXPECT_TRUE(fit.converged());
     EXPECT_EQ(fit.curve.floor, 0.25);
-    EXPECT_NEAR(fit.curve.probability(1.0), 0.25, 0.01);
+    EXPECT_NEAR(fit.curve.probability(1.0), 0.25, 0.03);  // separated: penalised for 3 records
     EXPECT_LT(fit.curve.intensity_at(0.5), fit.curve.median);
   }
   for (const Interval& interval : f.band) EXPECT_GE(interval.low, 0.25);
