@@ -6,18 +6,11 @@
 #include <cstddef>
 #include <numeric>
 
+#include "glissade/core/printable.hpp"
+
 namespace glissade {
 
 namespace {
-
-/// Text of files may hold what a terminal acts on.
-std::string without_control_characters(std::string text) {
-  for (char& c : text) {
-    if (static_cast<unsigned char>(c) < 0x20 && c != '\n' && c != '\t') c = '?';
-    if (c == 0x7f) c = '?';
-  }
-  return text;
-}
 
 /// A name of a file's may be as long as the file.
 std::string shortened(const std::string& text) {
@@ -41,11 +34,11 @@ std::string quoted_for_shell(const std::string& word) {
 
 std::string to_string(const Problem& problem) {
   std::string text;
-  if (!problem.where.empty()) text += problem.where + ": ";
+  if (!problem.where.empty()) text += printable_name(problem.where) + ": ";
   text += shortened(problem.what);
   if (!problem.suggestion.empty()) text += "; " + problem.suggestion;
   if (!problem.excerpt.empty()) text += "\n" + problem.excerpt;
-  return without_control_characters(std::move(text));
+  return printable(text);
 }
 
 namespace {
@@ -99,23 +92,31 @@ void ProblemList::throw_if_any() const {
 
 namespace {
 
-/// "sa" of "sa_period_s", "mu" of "--mu".
-std::string first_part(const std::string& word) {
-  const std::size_t begin = std::min(word.find_first_not_of("-_"), word.size());
-  return word.substr(begin, word.find_first_of("-_", begin) - begin);
+/// Without the dashes of an option.
+std::string stem_of(const std::string& word) {
+  return word.substr(std::min(word.find_first_not_of('-'), word.size()));
 }
 
-/// What people call a quantity that has another name here.
+/// "sa" of "sa_period_s", "mu" of "--mu".
+std::string first_part(const std::string& word) {
+  const std::string stem = stem_of(word);
+  return stem.substr(0, stem.find_first_of("-_"));
+}
+
+/// With the name here of a quantity that people call otherwise: "slope_deg" of "tilt_deg".
 std::string usual_name(const std::string& word) {
   struct Synonym {
     const char *said, *name;
   };
+  const std::string part = first_part(word);
   for (const auto& [said, name] :
        {Synonym{"angle", "slope"}, Synonym{"tilt", "slope"}, Synonym{"pitch", "rise"},
         Synonym{"coefficient", "mu"}, Synonym{"friction", "mu"},
         Synonym{"clearances", "thresholds"}, Synonym{"gap", "clearance"}, Synonym{"output", "out"},
         Synonym{"force", "overwrite"}}) {
-    if (word == said) return name;
+    if (part != said) continue;
+    const std::size_t begin = word.size() - stem_of(word).size();
+    return word.substr(0, begin) + name + word.substr(begin + part.size());
   }
   return word;
 }
@@ -133,6 +134,24 @@ bool differ_in_digits_only(const std::string& a, const std::string& b) {
                             [&](char x, char y) { return x == y || (is_digit(x) && is_digit(y)); });
 }
 
+/// "period" of "period_s"; of a name that does not end with a unit, the name.
+std::string without_unit(const std::string& name) {
+  const std::size_t at = name.find_last_of("-_");
+  if (at == std::string::npos) return name;
+  const std::string last = name.substr(at + 1);
+  return last.size() <= 3 || last == "years" ? name.substr(0, at) : name;
+}
+
+/// Slips of the pen from a word, or a synonym of it, to a name with or without its unit.
+std::size_t distance_between(const std::string& word, const std::string& name) {
+  const std::string bare = without_unit(name);
+  const bool begins = stem_of(word).size() > 2 && bare != name && bare.starts_with(word);
+  std::size_t least = begins ? 1 : word.size();
+  for (const std::string& said : {word, usual_name(word)})
+    least = std::min({least, edit_distance(said, name), edit_distance(said, bare)});
+  return least;
+}
+
 }  // namespace
 
 std::string nearest_word(const std::string& word, const std::vector<std::string>& candidates) {
@@ -142,37 +161,19 @@ std::string nearest_word(const std::string& word, const std::vector<std::string>
   for (const std::string& candidate : candidates) {
     if (in_lower_case(candidate) == lower) return candidate;
   }
-  // A suggestion helps where the words begin with the same part (another unit), mean the same, or
-  // differ by a slip of the pen: not in all letters, nor in the digits of a number.
-  const auto is_part = [&](const std::string& candidate) {  // "default" of "D-default"
-    return candidate.size() > 2 && word.ends_with(candidate);
-  };
-  if (const auto part = std::ranges::find_if(candidates, is_part); part != candidates.end())
-    return *part;
+  // Words of a few letters, or of as many other digits, are other words.
+  const std::size_t size = word.size();
+  const std::size_t most = size < 3 ? 0 : size < 6 ? 1 : size < 12 ? 2 : 3;
   std::string best;
-  std::size_t best_distance = std::min(std::max<std::size_t>(2, word.size() / 3) + 1, word.size());
-  bool best_shares = false;
-  const std::string first = first_part(word), name = usual_name(first);
+  std::size_t best_distance = most + 1;
   for (const std::string& candidate : candidates) {
     if (differ_in_digits_only(word, candidate)) continue;
-    const std::string part = first_part(candidate);
-    const bool shares = part == first || part == name;
-    // "perod" is "period_s" without its unit, "slop" begins "slope_deg".
-    const bool begins = part.starts_with(word);
-    const auto longer = [&](const std::string& other) {  // each letter more is a step
-      return std::max(word.size(), other.size()) - std::min(word.size(), other.size());
-    };
-    const std::size_t least = begins ? 1 : std::min(longer(candidate), longer(part) + 1);
-    if (!shares && (best_shares || least > best_distance)) continue;
-    const std::size_t distance =
-        begins ? 1 : std::min(edit_distance(word, candidate), edit_distance(word, part) + 1);
-    const bool is_nearer =
-        distance < best_distance || (distance == best_distance && candidate.size() < best.size());
-    if (shares != best_shares ? shares : is_nearer) {
-      best = candidate;
-      best_distance = distance;
-      best_shares = shares;
-    }
+    const std::size_t distance = distance_between(word, candidate);
+    if (distance > most || distance > best_distance ||
+        (distance == best_distance && candidate.size() >= best.size()))
+      continue;
+    best = candidate;
+    best_distance = distance;
   }
   return best;
 }

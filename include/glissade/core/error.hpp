@@ -46,7 +46,8 @@ class ProblemList {
 /// A word of a command line that a user may copy: in quotes where the shell requires them.
 std::string quoted_for_shell(const std::string& word);
 
-/// The candidate nearest to `word` by edit distance, or "" if none is near enough to suggest.
+/// The candidate that `word` is a slip of the pen or a synonym of, the nearest by edit distance; ""
+/// if none is.
 std::string nearest_word(const std::string& word, const std::vector<std::string>& candidates);
 
 }  // namespace glissade

@@ -76,7 +76,14 @@ std::string one_line(std::string text) {
   return text;
 }
 
-std::string csv_field(const std::string& text) {
+/// A spreadsheet takes a text that begins with one of these for a formula, but for a sign alone.
+bool is_formula(const std::string& text) {
+  constexpr std::string_view signs = "=+-@\t\r";
+  return text.size() > 1 && signs.find(text.front()) != std::string_view::npos;
+}
+
+std::string csv_field(std::string text) {
+  if (is_formula(text)) text.insert(0, 1, '\'');
   if (text.find_first_of(",\"\n\r#") == std::string::npos) return text;
   std::string quoted = "\"";
   for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);

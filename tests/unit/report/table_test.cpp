@@ -77,6 +77,14 @@ TEST(table, says_that_a_one_sided_median_is_a_lower_bound) {
   EXPECT_EQ(cell_text(column, SignedEstimate({2.0, {}}, "> ")), "> 2.00");
 }
 
+// A record may be called what a spreadsheet takes for a formula.
+TEST(table, has_no_text_that_is_a_formula_in_csv) {
+  Table table{"t", "T", {text_column("id", "Id"), {"x", "", "x"}}, {}, {}};
+  for (const char* id : {"=1+1", "+1", "-1", "@SUM(A1)", "\t=1", "a=1", "-"}) table.add({id, -1.0});
+  EXPECT_EQ(to_csv(table),
+            "# T\nid,x\n'=1+1,-1\n'+1,-1\n'-1,-1\n'@SUM(A1),-1\n'\t=1,-1\na=1,-1\n-,-1\n");
+}
+
 // What a cell holds does not move those after it (hazard.csv had rows wider than its header).
 TEST(table, has_the_fields_that_its_columns_declare_whatever_its_cells_hold) {
   Table table{"t",
