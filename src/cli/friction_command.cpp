@@ -97,7 +97,7 @@ void run(const FrictionOptions& o) {
     taken->give_back();
   }
   if (o.json) {
-    put("{}\n", to_json(summary).dump(2));
+    put_json(to_json(summary));
     return;
   }
   print(summary);

@@ -9,6 +9,7 @@
 
 #include "commands.hpp"
 #include "glissade/core/error.hpp"
+#include "glissade/core/printable.hpp"
 #include "glissade/io/written_number.hpp"
 #include "glissade/parallel/threads.hpp"
 #include "glissade/parallel/together.hpp"
@@ -121,7 +122,8 @@ ExitStatus run_program(int argc, char** argv, const glissade::Communicator& worl
 
 /// Says what there is to say at the end of the program; its exit status.
 int end_with(const ExitStatus& ending) {
-  if (!ending.message.empty()) glissade::cli::say("glissade: {}\n", ending.message);
+  if (!ending.message.empty())
+    glissade::cli::say("glissade: {}\n", glissade::printable(ending.message));
   try {
     glissade::cli::end_of_results();
     return ending.status;

@@ -3,19 +3,27 @@
 
 #include <fmt/format.h>
 
+#include <nlohmann/json.hpp>
 #include <string>
 #include <utility>
 
+#include "glissade/core/printable.hpp"
 #include "say.hpp"
 
-// All that commands print to standard output.
+// All that commands print to standard output. Names and paths that stand in it do not act on the
+// terminal (printable).
 namespace glissade::cli {
 
-inline void put_text(const std::string& text) { write_result(text); }
+inline void put_text(const std::string& text) { write_result(printable(text)); }
 
 template <class... Values>
 void put(fmt::format_string<Values...> text, Values&&... values) {
   put_text(fmt::format(text, std::forward<Values>(values)...));
+}
+
+/// One JSON object, also with names that are not UTF-8.
+inline void put_json(const nlohmann::ordered_json& json) {
+  put_text(json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n");
 }
 
 }  // namespace glissade::cli

@@ -146,7 +146,7 @@ void run(const StandardsOptions& o) {
                     {"separations", to_json(asce.separations)},
                     {"seaoc_pv1_2012", to_json(seaoc)},
                     {"asce7_16", to_json(asce)}};
-    put("{}\n", json.dump(2));
+    put_json(json);
     return;
   }
   put("Prescribed displacement of an unanchored array at S_DS = {:g} g, in plan\n", o.sds_g);

@@ -64,8 +64,9 @@ CapacitiesInput read_capacities(const std::filesystem::path& file) {
       return {"im_low to im_high is not a range: 0 <= im_low <= im_high"};
     return keep(row);
   };
-  read_number_rows(file, {{{"im_cap"}, take}, {{"im_low", "im_high"}, take_bracket, "im_high"}},
-                   BesideNumbers::record_and_weight);
+  read_number_rows(
+      file, {{{"im_cap"}, take, "im_cap"}, {{"im_low", "im_high"}, take_bracket, "im_high", true}},
+      BesideNumbers::record_and_weight);
   return capacities;
 }
 

@@ -2,6 +2,7 @@
 #include "glissade/motion/improbable.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 
@@ -86,6 +87,11 @@ std::vector<std::string> improbable_values(const Motion& motion) {
   return found;
 }
 
+std::vector<std::string> notes_on(const Motion& motion) {
+  if (!motion.starts_are_assumed) return {};
+  return {"components of different steps or lengths: they are assumed to start together"};
+}
+
 std::string hazard_analysis_required(const DesignTarget& target) {
   for (const SiteClass site : target.site_classes) {
     if (needs_hazard_analysis(target, site))
@@ -133,13 +139,68 @@ std::vector<std::string> improbable_values(const DesignTarget& target) {
   return found;
 }
 
+std::string gaps_between(const std::vector<double>& periods_s) {
+  std::vector<std::string> gaps;
+  for (std::size_t i = 1; i < periods_s.size(); ++i) {
+    if (periods_s[i] > widest_period_step * std::max(periods_s[i - 1], longest_rigid_period_s))
+      gaps.push_back(fmt::format("{:g} and {:g}", periods_s[i - 1], periods_s[i]));
+  }
+  if (gaps.empty()) return "";
+  return fmt::format(
+      "between the building periods {} s nothing is computed, where the displacement may be "
+      "larger: give periods at most {:g} times apart",
+      fmt::join(gaps, ", "), widest_period_step);
+}
+
+std::string improbable_slope(double steepest_deg) {
+  constexpr double least_drained_deg = 0.596;  // IBC 1507 (recalled)
+  if (steepest_deg <= 0.0 || steepest_deg >= least_drained_deg) return "";
+  return fmt::format(
+      "a roof slope of {:g} degrees is flatter than 1/8 in 12, the least of a roof that drains: is "
+      "it a rise in 12 (rise_in_12)?",
+      steepest_deg);
+}
+
+std::string improbable_mass_ratio(double largest) {
+  constexpr double least = 1e-3;
+  if (largest <= 0.0 || largest >= least) return "";
+  return fmt::format(
+      "the array has {:.2g} times the mass of the building: are the weights in one unit?", largest);
+}
+
+std::string improbable_damping(double damping) {
+  constexpr double most = 0.2;  // recalled: buildings have 0.01 to 0.1
+  if (damping == 0.0) return "the building has no damping (damping = 0)";
+  if (damping <= most) return "";
+  return fmt::format(
+      "a damping ratio of {:g} is above {:g}: no building has it without dampers (recalled)",
+      damping, most);
+}
+
+std::string improbable_design_life(double years) {
+  constexpr double longest_years = 200.0;
+  if (years <= longest_years) return "";
+  return fmt::format("a design life of {:g} years is longer than that of any building", years);
+}
+
+std::string unmarked_numbers(const std::vector<std::string>& numbers) {
+  if (numbers.empty()) return "";
+  const std::size_t shown = std::min<std::size_t>(numbers.size(), 4);
+  const std::string more =
+      numbers.size() > shown ? fmt::format(" and {} more", numbers.size() - shown) : "";
+  return fmt::format(
+      "without a unit in the file, read in m or kN although units = \"us\": {}{}; write for "
+      "example \"30 ft\", \"18 in\", \"60 kip\"",
+      fmt::join(numbers.begin(), numbers.begin() + static_cast<std::ptrdiff_t>(shown), ", "), more);
+}
+
 std::string improbable_mce_rate(double annual_rate, const std::string& mce) {
   constexpr double shortest_years = 200.0, longest_years = 25000.0;
   const double years = 1.0 / annual_rate;
   if (years >= shortest_years && years <= longest_years) return "";
   return fmt::format(
       "the hazard curve gives {} once in {:.3g} years, where about 2,500 are usual: are its rates "
-      "annual ones, and its intensities in the unit of the levels?",
+      "annual ones (not probabilities in 50 years), and its intensities in the unit of the levels?",
       mce, years);
 }
 

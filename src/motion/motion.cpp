@@ -15,7 +15,6 @@ namespace glissade {
 namespace {
 
 constexpr double whole_number_tolerance = 1e-6;
-constexpr double most_samples = 2e7;  // of a motion, 28 h at 0.005 s: more is an error of units
 constexpr double largest_whole_number = 1e15;  // whose neighbours are distinct doubles
 
 std::optional<std::size_t> whole_number(double value) {
@@ -32,7 +31,7 @@ void check_record(const Record& record, ProblemList& problems) {
     problems.add({record.name, fmt::format("dt_s = {} is not a positive number", record.dt_s),
                   "give the time between samples in seconds", ""});
   }
-  const std::vector<double>& samples = record.acceleration_mps2;
+  const Samples& samples = record.acceleration_mps2;
   if (samples.empty())
     problems.add({record.name, "the record has no samples", "check the file", ""});
   const auto bad = std::ranges::find_if_not(
@@ -82,8 +81,9 @@ double end_of(const Record& record, const Placement& placement) {
 
 /// Samples of the component on the time axis of the motion, interpolated between its own samples
 /// (also over the interval after the last one, which ends at zero).
-std::vector<double> on_clock(const Record& record, const Placement& placement, std::size_t length) {
-  const std::vector<double>& samples = record.acceleration_mps2;
+Samples on_clock(const Record& record, const Placement& placement, std::size_t length) {
+  const Samples& samples = record.acceleration_mps2;
+  if (placement.stride == 1 && samples.size() == length) return samples;  // begins at 0
   std::vector<double> result(length, 0.0);
   for (std::size_t n = 0; n < samples.size(); ++n) {
     const double here = samples[n];
@@ -97,10 +97,36 @@ std::vector<double> on_clock(const Record& record, const Placement& placement, s
 }
 
 struct Component {
+  const char* name;
   const TimedRecord& timed;
   Samples& samples;  ///< in the motion
   Placement placement;
+
+  double duration_s() const {
+    return timed.record.dt_s * static_cast<double>(timed.record.acceleration_mps2.size());
+  }
+  double end_s() const { return timed.start_s + duration_s(); }
 };
+
+/// A file that was cut short, or was read with a wrong step, ends earlier than the others.
+void compare_clocks(const std::vector<Component>& components, Motion& motion) {
+  constexpr double most_apart_s = 1.0;
+  const auto by_end = [](const Component& c) { return c.end_s(); };
+  const auto [first, last] = std::ranges::minmax_element(components, {}, by_end);
+  const bool is_stated =
+      std::ranges::any_of(components, [](const Component& c) { return c.timed.start_s > 0.0; });
+  const auto differs = [&](const Component& c) {
+    return c.timed.record.dt_s != components.front().timed.record.dt_s ||
+           c.duration_s() != components.front().duration_s();
+  };
+  motion.starts_are_assumed = !is_stated && std::ranges::any_of(components, differs);
+  if (last->end_s() - first->end_s() > most_apart_s)
+    motion.contradictions.push_back(fmt::format(
+        "its {} component ends at {:.4g} s, its {} at {:.4g} s: is a file cut short, or its step "
+        "wrong? It is taken as zero from its end on{}",
+        first->name, first->end_s(), last->name, last->end_s(),
+        is_stated ? "" : ", and all are assumed to start together"));
+}
 
 }  // namespace
 
@@ -111,9 +137,9 @@ Motion assemble_motion(Motion metadata, const TimedRecord& first,
   motion.horizontal_mps2 = {};
   motion.vertical_mps2 = {};
   std::vector<Component> components;
-  components.push_back({first, motion.horizontal_mps2[0], {}});
-  if (second) components.push_back({*second, motion.horizontal_mps2[1], {}});
-  if (vertical) components.push_back({*vertical, motion.vertical_mps2, {}});
+  components.push_back({"first", first, motion.horizontal_mps2[0], {}});
+  if (second) components.push_back({"second", *second, motion.horizontal_mps2[1], {}});
+  if (vertical) components.push_back({"vertical", *vertical, motion.vertical_mps2, {}});
 
   ProblemList problems;
   for (const Component& component : components) check_record(component.timed.record, problems);
@@ -129,7 +155,7 @@ Motion assemble_motion(Motion metadata, const TimedRecord& first,
     component.placement = place(component.timed, motion.dt_s, problems);
     const double end = end_of(record, component.placement);
     length = std::max(length, end);
-    if (end > most_samples) {
+    if (end > static_cast<double>(most_samples)) {
       problems.add({record.name,
                     fmt::format("would end after {} samples of the motion's step, dt_s = {}, the "
                                 "finest component's (the most is {})",
@@ -138,6 +164,7 @@ Motion assemble_motion(Motion metadata, const TimedRecord& first,
     }
   }
   problems.throw_if_any();
+  compare_clocks(components, motion);
 
   for (const Component& component : components) {
     component.samples =

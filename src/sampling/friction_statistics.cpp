@@ -228,7 +228,8 @@ PullTestSummary summarise(const std::vector<PullTest>& tests, const SlidingRule&
     };
     summary.directions.push_back({direction, statistics(&TraceFriction::sliding_mu),
                                   statistics(&TraceFriction::breakaway_mu),
-                                  values_of(summary.tests, direction, &TraceFriction::sliding_mu)});
+                                  values_of(summary.tests, direction, &TraceFriction::sliding_mu),
+                                  ""});
   }
   summary.notes = notes_on(summary);
   return summary;
@@ -239,7 +240,7 @@ PullTestSummary summarise(const std::vector<EvaluatedTests>& tests) {
   PullTestSummary summary;
   for (const EvaluatedTests& t : tests)
     summary.directions.push_back(
-        {t.direction, statistics_of(t.mu), {0, none, none, none, none, {}}, t.mu});
+        {t.direction, statistics_of(t.mu), {0, none, none, none, none, {}}, t.mu, ""});
   summary.notes = notes_on(summary);
   return summary;
 }

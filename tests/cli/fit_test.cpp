@@ -84,6 +84,16 @@ TEST_F(Fit, censored_capacities_maximise_the_censored_likelihood) {
   EXPECT_GT(median, uncensored);  // taking 2.5 and 3 as they stand would bias it low here
 }
 
+TEST_F(Fit, capacities_that_were_not_reached_need_the_level_up_to_which_they_were_not) {
+  const std::string rows = "im_cap\n0.5\n0.8\n1\n1.2\n2\n";
+  const std::string open = folder_.write("open.csv", rows + "inf\ninf\n");
+  expect_refused(run_program({"fit", "--capacities", open}),
+                 {"im_cap", "2 of 7", "--censor-at", "largest capacity in the file is 2"});
+  EXPECT_EQ(fit_json({"--capacities", open, "--censor-at", "2.5"}),
+            fit_json({"--capacities", folder_.write("filled.csv", rows + "2.5\n3\n"), "--censor-at",
+                      "2.5"}));
+}
+
 TEST_F(Fit, separated_counts_are_fitted_by_the_labelled_penalty) {
   // Separated (theory.md, 6.2): x 0.2 to 1.2, k 0 0 0 20 20 20: no finite maximum; Jeffreys.
   const Json fit =

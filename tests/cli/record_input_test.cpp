@@ -127,6 +127,28 @@ TEST_F(RecordInput, values_outside_what_was_recorded_have_a_warning_beside_the_r
   EXPECT_NEAR(json["as_recorded"][0]["pga_g"].get<double>(), 355.0, 1e-9);
   EXPECT_NEAR(json["as_recorded"][0]["duration_s"].get<double>(), 1.8, 0.01);
 }
+TEST_F(RecordInput, a_component_that_ends_early_has_its_own_count_and_a_warning) {
+  const auto record = [&](const std::string& name, int samples) {
+    std::string text = "# acceleration_g\n# DT = 0.01\n";
+    for (int i = 0; i < samples; ++i) text += i % 20 < 10 ? ".2\n" : "-.2\n";
+    return folder_.write(name, text);
+  };
+  const std::vector<std::string> command{
+      "slide", record("a.txt", 300), "--second", record("b.txt", 150), "--mu",
+      "0.1",   "--slope-deg",        "1"};
+  const Finished text = run_program(command);
+  EXPECT_THAT(text.out, HasSubstr("300 samples"));
+  EXPECT_THAT(text.out, HasSubstr("150 samples"));
+  EXPECT_THAT(text.out, HasSubstr("WARNING: its second component ends at 1.5 s"));
+  EXPECT_THAT(text.out, HasSubstr("note  components of different steps or lengths"));
+  std::vector<std::string> as_json = command;
+  as_json.emplace_back("--json");
+  const Json json = Json::parse(run_program(as_json).out);
+  EXPECT_EQ(json["samples"], 300);
+  EXPECT_EQ(json["as_recorded"][1]["samples"], 150);
+  EXPECT_EQ(json["warnings"].size(), 1u);
+  EXPECT_EQ(json["notes"].size(), 1u);
+}
 TEST_F(RecordInput, unknown_units_are_reported_with_the_known_ones) {
   expect_text_refused("column.txt", "0.1\n0.2\n", {"furlong", "m/s2"},
                       {"--dt-s", "0.01", "--units", "furlong"});

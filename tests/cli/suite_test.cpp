@@ -85,6 +85,36 @@ TEST(Suite, mistakes_are_refused) {
   expect_refused(run_program({"suite"}), {"--help"});
 }
 
+TEST(Suite, design_does_not_begin_where_its_file_is_there) {
+  const ScratchFolder folder;
+  const std::string file = folder.write("suite.toml", "mine");
+  expect_refused(run_program({"suite", "design", "--level", "2", "--out", file}),
+                 {"--out", "is there already"});
+  EXPECT_EQ(read_file(file), "mine");
+}
+
+TEST(Suite, names_do_not_act_on_the_terminal) {
+  const ScratchFolder folder;
+  const std::string name = "a\x1b[31m\xe2\x80\xae.txt";
+  folder.write(name, "# acceleration_g\n0 .1\n0.01 .2\n");
+  const std::string suite =
+      folder.write("\x1b[2J.toml", "[suite]\nname = \"s\"\n[[record]]\nid = \"a\"\nfirst = \"" +
+                                       std::string("none") + "\"\n");
+  const Finished missing = run_program({"suite", "show", suite});
+  expect_refused(missing, {"\\u001b[2J.toml"});
+  const Finished slide =
+      run_program({"slide", folder.path(name).string(), "--mu", "0.1", "--slope-deg", "1"});
+  EXPECT_NE(slide.out.find("a\\u001b[31m\\u202e.txt"), slide.out.npos);
+  const Finished id = run_program(
+      {"suite", "show",
+       folder.write("b.toml", "[suite]\nname = \"s\"\n[[record]]\nid = \"a\\u202e\"\n")});
+  expect_refused(id, {"record.id", "\\u202e", "control character"});
+  for (const std::string& text : {missing.err, slide.out, id.err}) {
+    EXPECT_EQ(text.find('\x1b'), text.npos);
+    EXPECT_EQ(text.find("\xe2\x80\xae"), text.npos);
+  }
+}
+
 TEST(Suite, records_that_cannot_be_found_are_all_reported) {
   const ScratchFolder folder;
   const std::string suite =
@@ -92,9 +122,10 @@ TEST(Suite, records_that_cannot_be_found_are_all_reported) {
                    "[suite]\nname = \"s\"\n[[record]]\nid = \"a\"\nfirst = "
                    "\"here_not.AT2\"\nsecond = \"there_neither.AT2\"\n"
                    "[[record]]\nid = \"b\"\nfirst = \"nowhere.AT2\"\nmagnitud = 7\n");
-  expect_refused(run_program({"suite", "show", suite}),
-                 {"suite.toml", "here_not.AT2", "there_neither.AT2", "nowhere.AT2",
-                  "GLISSADE_RECORDS", "suite.toml:10", "did you mean magnitude?"});
+  expect_refused(
+      run_program({"suite", "show", suite}),
+      {"suite.toml", "here_not.AT2", "there_neither.AT2", "nowhere.AT2", folder.path("").string(),
+       "GLISSADE_RECORDS", "suite.toml:10", "did you mean magnitude?"});
 }
 
 }  // namespace

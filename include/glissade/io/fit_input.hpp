@@ -24,7 +24,8 @@ struct CountsInput {
 };
 CountsInput read_counts(const std::filesystem::path& file);
 
-/// Column im_cap >= 0 (0: exceeded without shaking, as by an array that slides freely); or im_low
+/// Column im_cap >= 0 (0: exceeded without shaking, as by an array that slides freely; inf: not
+/// reached, whose highest level the caller must know); or im_low
 /// and im_high: reached above im_low (0: by the first level) and not above im_high (inf or nothing:
 /// not reached by im_low).
 struct CapacitiesInput {

@@ -16,11 +16,15 @@ namespace glissade {
 std::vector<PullTest> read_pull_tests(const TextFile& file);
 
 /// Pull tests with what came out. The file may also be a sheet with a test in each row: a column
-/// mu, and test and direction if wanted; then there are no logs.
+/// mu, and test and direction if wanted; then there are no logs. Directions that differ in case or
+/// in blanks around them are one, which a note of it says.
 struct PullTestResults {
   std::vector<PullTest> tests;
   PullTestSummary summary;
 };
 PullTestResults read_pull_test_results(const TextFile& file, const SlidingRule& rule);
+
+/// The direction of that name, in any case; null where there is none.
+const DirectionFriction* find_direction(const PullTestSummary& summary, const std::string& name);
 
 }  // namespace glissade

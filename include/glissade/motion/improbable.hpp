@@ -9,7 +9,8 @@
 // What is possible and not probable: warnings that stand beside results.
 namespace glissade {
 
-/// Largest |acceleration| of a record: beyond it the units are wrong (100,000 g), and it is refused.
+/// Largest |acceleration| of a record: beyond it the units are wrong (100,000 g), and it is
+/// refused.
 inline constexpr double most_acceleration_mps2 = 1e6;
 
 /// No site is known for more: the largest mapped S_S of the United States is near 3 g, the largest
@@ -25,6 +26,10 @@ inline constexpr double most_possible_g = 10.0;
 /// More than a roof has (recalled).
 inline constexpr double largest_probable_clearance_m = 10.0;
 
+/// Where periods of a list are farther apart (by this factor), something between them is missed. A
+/// building of 0.06 s or less moves with the ground (ASCE 7-16, 11.2, recalled).
+inline constexpr double widest_period_step = 1.3, longest_rigid_period_s = 0.06;
+
 /// No building of two hundred storeys has a longer one.
 inline constexpr double longest_probable_period_s = 10.0;
 
@@ -33,11 +38,25 @@ inline constexpr double longest_probable_period_s = 10.0;
 /// for wrong units or a wrong step.
 std::vector<std::string> improbable_values(const Motion& motion);
 
+/// What is taken for granted of a motion whose files do not state it.
+std::vector<std::string> notes_on(const Motion& motion);
+
 /// S_S above most_probable_g, S_1 above S_S, and sites for which ASCE 7-16, 11.4.8 requires more
 /// than mapped values.
 std::vector<std::string> improbable_values(const DesignTarget& target);
 /// What ASCE 7-16, 11.4.8 requires of the site, empty: nothing.
 std::string hazard_analysis_required(const DesignTarget& target);
+
+// One set of checks for studies and projects; "": nothing to say.
+/// @param periods_s increasing
+std::string gaps_between(const std::vector<double>& periods_s);
+/// Of a roof no part of which is steeper.
+std::string improbable_slope(double steepest_deg);
+std::string improbable_mass_ratio(double largest);
+std::string improbable_damping(double damping);
+std::string improbable_design_life(double years);
+/// Numbers without a unit in a file with units = "us": "height_m = 54 (177 ft)".
+std::string unmarked_numbers(const std::vector<std::string>& numbers);
 
 /// Of a hazard curve at the MCE, which is exceeded about once in 2,475 years, near active faults
 /// more often (ASCE 7-16, 21.2, recalled); "" from 200 to 25,000 years.

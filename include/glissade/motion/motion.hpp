@@ -24,8 +24,10 @@ struct Motion {
   double dt_s = 0.0;
   std::array<Samples, 2> horizontal_mps2;
   Samples vertical_mps2;  ///< up positive
-  /// What the headers of its files contradict.
+  /// What its files contradict: stations and directions of their headers, their ends.
   std::vector<std::string> contradictions;
+  /// Its components differ in step or length, and nothing states how they lie in time.
+  bool starts_are_assumed = false;
 };
 
 /// A component and its start on the time axis of the motion.
@@ -38,6 +40,7 @@ struct TimedRecord {
 /// longest. Components with a coarser step whose dt_s is a whole multiple of the finest are
 /// interpolated linearly, with their last interval to zero, which changes nothing (the motion is
 /// piecewise linear). A component that starts later rises to its first sample over one interval.
+/// Where components end more than a second apart, a contradiction says so.
 /// `metadata` gives all other values of the motion; its samples are replaced. Throws InputError,
 /// with the faults of all components, if a record is empty, has a sample that is not finite or a
 /// dt_s that is not positive, and if steps or starts differ from whole samples by more than 1e-6 of

@@ -31,6 +31,7 @@ struct DirectionFriction {
   std::string direction;
   MuStatistics sliding, breakaway;  ///< breakaway.tests = 0: it is not known
   std::vector<double> sliding_mu;   ///< of each test, as given
+  std::string note;                 ///< on its name; "" where nothing is to be said
 };
 
 /// Remarks on tests whose friction is far from that of the others of the direction.

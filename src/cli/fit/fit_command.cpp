@@ -73,11 +73,29 @@ std::vector<RecordCapacities> by_record(const std::vector<CapacityBracket>& rows
   return records;
 }
 
+/// What was not reached says something only with the level up to which it was not.
+void refuse_unknown_limit(const std::vector<CapacityBracket>& rows) {
+  const auto is_open = [](const CapacityBracket& row) { return std::isinf(row.low); };
+  const auto open = std::ranges::count_if(rows, is_open);
+  if (open == 0) return;
+  double largest = 0.0;
+  for (const CapacityBracket& row : rows)
+    if (!is_open(row)) largest = std::max(largest, row.low);
+  throw InputError({"im_cap",
+                    fmt::format("{} of {} capacities are inf, not reached: up to which level?",
+                                open, rows.size()),
+                    fmt::format("give the highest level that was analysed as --censor-at (the "
+                                "largest capacity in the file is {:g})",
+                                largest),
+                    ""});
+}
+
 FitOutput fit_capacities_of(CapacitiesInput input, const std::optional<double>& censor_at) {
   const double limit = censor_at.value_or(infinity);
   if (input.brackets && censor_at)
     throw InputError({"--censor-at", "is for im_cap: brackets have their own limits",
                       "give im_high = inf where im_low was not exceeded", ""});
+  if (!input.brackets && !censor_at) refuse_unknown_limit(input.rows);
   FitOutput output;
   if (!input.brackets && input.has.record && !input.has.weight)
     output.lognormal = lognormal_goodness_of_fit(by_record(input.rows, limit), limit, {});
@@ -129,8 +147,9 @@ void add_fit(CLI::App& program) {
       "independent: intervals are over records) and weight (importance weights).");
   command->add_option("--counts", o->counts, "CSV with the header im,num_gms,num_exceed");
   command->add_option("--capacities", o->capacities,
-                      "CSV with the header im_cap; 0: slides freely, without shaking. Or "
-                      "im_low,im_high: capacities between two levels (inf: not reached)");
+                      "CSV with the header im_cap; 0: slides freely, without shaking; inf: "
+                      "not reached by --censor-at. Or im_low,im_high: capacities between two "
+                      "levels (inf: not reached)");
   command->add_option("--cloud", o->cloud,
                       "CSV with the header im,edp: displacements at any intensities; 0: no slip");
   command->add_option("--threshold", o->thresholds,

@@ -95,7 +95,7 @@ void show_models(const ShapeComparison& comparison) {
 }  // namespace
 
 void print(const FitOutput& output, bool json) {
-  if (json) return put("{}\n", json_of(output).dump(2));
+  if (json) return put_json(json_of(output));
   const FitSummary& f = output.fit;
   std::vector<Finding> findings = findings_of(f);
   findings.push_back(effective_records(f.effective_records));
@@ -106,8 +106,7 @@ void print(const FitOutput& output, bool json) {
   const GoodnessOfFit& fit = output.lognormal;
   if (!std::isnan(fit.p_value))
     put("goodness of fit    {}, largest gap {:.3g} at {:.4g}{}\n", format_p(fit.p_value),
-          fit.largest_gap, fit.gap_intensity,
-          departs_from_lognormal(fit) ? ": not lognormal" : "");
+        fit.largest_gap, fit.gap_intensity, departs_from_lognormal(fit) ? ": not lognormal" : "");
   if (output.models) show_models(*output.models);
   show("status", to_string(f.status));
   show("note", f.note);
@@ -133,7 +132,7 @@ void print(const CloudSummary& cloud, bool json) {
       of["thresholds"].push_back({{"threshold", row.threshold}});
       of["thresholds"].back().update(to_json({{"p50", "", row.p50, row.p50_interval}}));
     }
-    return put("{}\n", of.dump(2));
+    return put_json(of);
   }
   std::vector<Finding> medians;
   for (const CloudMedian& row : cloud.medians)

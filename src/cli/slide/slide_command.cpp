@@ -44,7 +44,19 @@ Record read_component(const std::string& file, const RecordFileOptions& options)
   }
 }
 
-Motion read_motion(const SlideOptions& o) {
+/// A component as its file has it.
+struct ReadComponent {
+  const char* name;
+  std::string file;
+  Record record;
+};
+
+struct ReadMotion {
+  Motion motion;
+  std::vector<ReadComponent> components;
+};
+
+ReadMotion read_motion(const SlideOptions& o) {
   RecordFileOptions file;
   file.dt_s = o.dt_s;
   if (!o.units.empty()) file.units = parse_acceleration_units(o.units);
@@ -52,8 +64,13 @@ Motion read_motion(const SlideOptions& o) {
   std::optional<TimedRecord> second, vertical;
   if (!o.second.empty()) second = TimedRecord{read_component(o.second, file), 0.0};
   if (!o.vertical.empty()) vertical = TimedRecord{read_component(o.vertical, file), 0.0};
-  return assemble_motion({.contradictions = source_contradictions(first, second, vertical)}, first,
-                         second, vertical);
+  ReadMotion read{
+      assemble_motion({.contradictions = source_contradictions(first, second, vertical)}, first,
+                      second, vertical),
+      {{"first", o.record, first.record}}};
+  if (second) read.components.push_back({"second", o.second, second->record});
+  if (vertical) read.components.push_back({"vertical", o.vertical, vertical->record});
+  return read;
 }
 
 using Json = nlohmann::ordered_json;
@@ -77,28 +94,17 @@ std::vector<std::string> warnings_on(const SlideOptions& o, const Motion& motion
   return warnings;
 }
 
-/// A component of the motion, as recorded.
-struct WarnedComponent {
-  const char* name;
-  const std::string& file;
-  const Samples& acceleration_mps2;
-};
-
-std::vector<WarnedComponent> components_of(const SlideOptions& o, const Motion& motion) {
-  std::vector<WarnedComponent> components{{"first", o.record, motion.horizontal_mps2[0]}};
-  if (!o.second.empty()) components.push_back({"second", o.second, motion.horizontal_mps2[1]});
-  if (!o.vertical.empty()) components.push_back({"vertical", o.vertical, motion.vertical_mps2});
-  return components;
-}
-
-Json components_json(const SlideOptions& o, const Motion& motion) {
+Json components_json(const std::vector<ReadComponent>& components) {
   Json json = Json::array();
-  for (const auto& [name, file, a] : components_of(o, motion)) {
+  for (const auto& [name, file, record] : components) {
+    const auto& [of_file, dt_s, a, source] = record;
     json.push_back({{"component", name},
+                    {"samples", a.size()},
+                    {"dt_s", dt_s},
                     {"pga_g", peak_ground_acceleration_mps2(a) / standard_gravity_mps2},
-                    {"pgv_mps", peak_ground_velocity_mps(motion.dt_s, a)},
-                    {"pgd_m", peak_ground_displacement_m(motion.dt_s, a)},
-                    {"duration_s", significant_duration_s(motion.dt_s, a)}});
+                    {"pgv_mps", peak_ground_velocity_mps(dt_s, a)},
+                    {"pgd_m", peak_ground_displacement_m(dt_s, a)},
+                    {"duration_s", significant_duration_s(dt_s, a)}});
   }
   return json;
 }
@@ -132,8 +138,9 @@ std::vector<Finding> findings_of(const SlideHistory& h) {
   return all;
 }
 
-Json to_json(const SlideOptions& o, const SlideHistory& h, const Motion& motion, double factor,
+Json to_json(const SlideOptions& o, const SlideHistory& h, const ReadMotion& read, double factor,
              double pga_g) {
+  const Motion& motion = read.motion;
   Json json = cli::to_json(findings_of(h));
   json.update({{"slip_phases", h.slip.slip_phases},
                {"uplift", h.slip.uplift},
@@ -168,8 +175,9 @@ Json to_json(const SlideOptions& o, const SlideHistory& h, const Motion& motion,
     json["tipping_scale"] = number_or_null(*h.tips_at);
   }
   json["model"] = model_of(o);
-  json["as_recorded"] = components_json(o, motion);
+  json["as_recorded"] = components_json(read.components);
   json["warnings"] = warnings_on(o, motion, pga_g);
+  json["notes"] = notes_on(motion);
   return json;
 }
 
@@ -202,21 +210,23 @@ void print_sentence(const std::string& text) {
 }
 
 /// What was read: the user sees whether step and units are as they should be.
-void print_record(const SlideOptions& o, const Motion& motion, double pga_g) {
-  for (const auto& [name, file, a] : components_of(o, motion)) {
+void print_record(const SlideOptions& o, const ReadMotion& read, double pga_g) {
+  for (const auto& [name, file, record] : read.components) {
+    const auto& [of_file, dt_s, a, source] = record;
     put("{}\n  {} samples, {:g} s; PGA {:.3g} g, PGV {:.3g} m/s, PGD {:.3g} m, D5-95 {:.3g} s\n",
-        file, a.size(), motion.dt_s, peak_ground_acceleration_mps2(a) / standard_gravity_mps2,
-        peak_ground_velocity_mps(motion.dt_s, a), peak_ground_displacement_m(motion.dt_s, a),
-        significant_duration_s(motion.dt_s, a));
+        file, a.size(), dt_s, peak_ground_acceleration_mps2(a) / standard_gravity_mps2,
+        peak_ground_velocity_mps(dt_s, a), peak_ground_displacement_m(dt_s, a),
+        significant_duration_s(dt_s, a));
   }
-  for (const std::string& warning : warnings_on(o, motion, pga_g))
+  for (const std::string& warning : warnings_on(o, read.motion, pga_g))
     print_sentence("WARNING: " + warning);
+  for (const std::string& note : notes_on(read.motion)) print_sentence("note  " + note);
 }
 
-void print_text(const SlideOptions& o, const SlideHistory& h, const Motion& motion, double factor,
+void print_text(const SlideOptions& o, const SlideHistory& h, const ReadMotion& read, double factor,
                 double pga_g) {
   const SlipResult& r = h.slip;
-  print_record(o, motion, pga_g);
+  print_record(o, read, pga_g);
   put("Factor {:.4g}: PGA {:.4g} g{}\n", factor, pga_g,
       h.ppa_g ? fmt::format(", peak roof acceleration {:.4g} g", *h.ppa_g) : "");
   put("Model: {}\n", model_of(o));
@@ -245,7 +255,8 @@ void print_text(const SlideOptions& o, const SlideHistory& h, const Motion& moti
 
 void run(SlideOptions& o) {
   check(o);
-  const Motion motion = read_motion(o);
+  const ReadMotion read = read_motion(o);
+  const Motion& motion = read.motion;
   const double pga = peak_ground_acceleration_mps2(motion.horizontal_mps2[0]);
   if (o.pga_g && pga == 0.0)
     throw InputError(
@@ -257,9 +268,9 @@ void run(SlideOptions& o) {
   const SlideHistory history = run_history(o, motion, factor);
   const double pga_g = factor * pga / standard_gravity_mps2;
   if (o.json) {
-    put("{}\n", to_json(o, history, motion, factor, pga_g).dump(2));
+    put_json(to_json(o, history, read, factor, pga_g));
   } else {
-    print_text(o, history, motion, factor, pga_g);
+    print_text(o, history, read, factor, pga_g);
   }
 }
 

@@ -38,7 +38,6 @@ void deliver(const SuiteOptions& o, const std::string& text) {
   if (o.out.empty()) {
     put("{}", text);
   } else {
-    check_output_file(o.out, "--out", o.overwrite);
     write_text_file(o.out, text);
   }
 }
@@ -55,7 +54,6 @@ const DesignTarget& target_of(const Suite& suite, const std::string& file) {
 void warn(const std::string& text) { put("{}\n", wrapped("WARNING: " + text, terminal_width, 0)); }
 
 void show(const SuiteOptions& o) {
-  check_output_file(o.out, "--out", o.overwrite);
   const Suite suite = load_suite(o.suite);
   put("{}\n", wrapped(suite.name + ": " + suite.description, terminal_width, 0));
   if (suite.target) {
@@ -73,6 +71,10 @@ void show(const SuiteOptions& o) {
     put("selected as the nearest to a target spectrum: the motions scatter less\n");
   for (const Motion& motion : suite.motions) {
     for (const std::string& value : improbable_values(motion)) warn(motion.id + ": " + value);
+  }
+  for (const Motion& motion : suite.motions) {
+    for (const std::string& note : notes_on(motion))
+      put("{}\n", wrapped("note  " + motion.id + ": " + note, terminal_width, 6));
   }
   const Table table = motions_table(suite);
   put("{}", to_text(table));
@@ -160,7 +162,10 @@ void add_suite(CLI::App& program) {
   command->require_subcommand(1);
   const auto verb = [&](const char* name, const char* what, auto act) {
     CLI::App* sub = command->add_subcommand(name, what);
-    sub->callback([o, act] { act(*o); });
+    sub->callback([o, act] {
+      check_output_file(o->out, "--out", o->overwrite);
+      act(*o);
+    });
     return sub;
   };
   const auto takes_suite = [&](CLI::App* sub) {

@@ -289,7 +289,7 @@ void run(const SelectOptions& o) {
   const RecordSelection selection = select(library, task);
   if (!o.out.empty()) write_text_file(o.out, suite_text(o, library, task, selection));
   if (o.json) {
-    put("{}\n", to_json(library, task, selection).dump(2));
+    put_json(to_json(library, task, selection));
     return;
   }
   print(library, task, selection);

@@ -2,7 +2,6 @@
 #include "pull_tests/pull_test_columns.hpp"
 
 #include <algorithm>
-#include <cstdint>
 #include <string>
 
 #include "glissade/core/error.hpp"
@@ -80,32 +79,9 @@ std::vector<std::string_view> csv_cells(std::string_view line) {
   return cells;
 }
 
-bool is_plain_text(std::string_view text) {
-  for (std::size_t i = 0; i < text.size();) {
-    const auto lead = static_cast<unsigned char>(text[i++]);
-    if (lead < 0x80) {
-      if (lead < 0x20 || lead == 0x7f) return false;
-      continue;
-    }
-    const int more = lead >= 0xf0 ? 3 : lead >= 0xe0 ? 2 : 1;
-    if (lead < 0xc0 || lead > 0xf4 || i + static_cast<std::size_t>(more) > text.size())
-      return false;
-    std::uint32_t code = lead & (0x3fu >> more);
-    for (int k = 0; k < more; ++k) {
-      const auto next = static_cast<unsigned char>(text[i++]);
-      if ((next & 0xc0u) != 0x80u) return false;
-      code = code << 6 | (next & 0x3fu);
-    }
-    const std::uint32_t least = more == 3 ? 0x10000 : more == 2 ? 0x800 : 0x80;
-    const bool is_surrogate = code >= 0xd800 && code <= 0xdfff;
-    if (code < least || code > 0x10ffff || is_surrogate) return false;
-  }
-  return true;
-}
-
 PullTestHeader read_pull_test_header(const std::string& where, std::string_view line,
                                      const std::vector<std::string_view>& cells) {
-  refuse_semicolons(where, line);
+  refuse_separators(where, line, ";\t");
   PullTestHeader header;
   ProblemList problems;
   for (std::size_t i = 0; i < cells.size(); ++i) {

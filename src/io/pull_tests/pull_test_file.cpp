@@ -2,6 +2,7 @@
 #include "glissade/io/pull_test_file.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
@@ -11,6 +12,7 @@
 #include <set>
 
 #include "glissade/core/error.hpp"
+#include "glissade/core/printable.hpp"
 #include "pull_tests/pull_test_columns.hpp"
 #include "text/csv_rows.hpp"
 #include "text/scan.hpp"
@@ -30,9 +32,40 @@ struct PullTestRow {
   double displacement_m = 0.0, force_n = 0.0, normal_n = 0.0;
 };
 
+/// Of a name that is no text of one line; else empty.
+std::string fault_of(const std::string& name) {
+  if (printable_name(name) == name) return "";
+  return "the name " + in_quotes(name) + " has characters that are no UTF-8 text";
+}
+
+std::string folded(std::string_view direction) { return lower_case(trimmed(direction)); }
+
+/// Directions by the spelling in which each first stands: those that differ in case or in blanks
+/// around them are one.
+class DirectionNames {
+ public:
+  std::string name_of(std::string_view text) {
+    const std::string spelling(trimmed(text));
+    const std::string& first = first_.try_emplace(folded(spelling), spelling).first->second;
+    if (spelling != first) others_[first].insert(spelling);
+    return first;
+  }
+  /// "" where the direction is spelt in one way.
+  std::string note_on(const std::string& direction) const {
+    const auto other = others_.find(direction);
+    if (other == others_.end()) return "";
+    return fmt::format("direction {}: also spelt {}, taken as one direction", direction,
+                       fmt::join(other->second, ", "));
+  }
+
+ private:
+  std::map<std::string, std::string> first_;             ///< by lower case
+  std::map<std::string, std::set<std::string>> others_;  ///< by the first spelling
+};
+
 /// A row's numbers and names; nothing, with the trouble, where a cell is none.
 std::optional<PullTestRow> read_row(const PullTestHeader& header, const Cells& cells,
-                                    RowTrouble& trouble) {
+                                    DirectionNames& directions, RowTrouble& trouble) {
   const auto number = [&](PullTestColumn column) {
     const std::string_view cell = cells[header[column]->index];
     const auto value = parse_number(cell);
@@ -43,14 +76,12 @@ std::optional<PullTestRow> read_row(const PullTestHeader& header, const Cells& c
   };
   PullTestRow row;
   row.test = cells[header[test]->index];
-  row.direction = cells[header[direction]->index];
+  row.direction = directions.name_of(cells[header[direction]->index]);
   if (row.test.empty() || row.direction.empty())
     trouble = {"test or direction is empty", "name both in every row"};
-  if (!is_plain_text(row.test) || !is_plain_text(row.direction)) {
-    trouble = {"test or direction, " + in_quotes(row.test + " " + row.direction) +
-                   ", has characters that are not UTF-8 text",
-               "save the file as UTF-8", "text"};
-  }
+  for (const std::string& name : {row.test, row.direction})
+    if (std::string what = fault_of(name); !what.empty())
+      trouble = {what, "save the file as UTF-8", "text"};
   if (header[time]) row.time_s = number(time);
   row.displacement_m = number(displacement);
   row.force_n = number(force);
@@ -106,6 +137,8 @@ class TestBuilder {
 /// A sheet of evaluated tests: mu, and test and direction where they are there.
 class Sheet {
  public:
+  explicit Sheet(DirectionNames& directions) : directions_(directions) {}
+
   /// Whether the header is that of a sheet, not of pull tests as logged.
   bool take_header(const Cells& names) {
     for (std::size_t i = 0; i < names.size(); ++i) {
@@ -120,21 +153,20 @@ class Sheet {
     const auto text = [&](const Column& column, const char* otherwise) {
       return std::string(column.at ? cells[*column.at] : otherwise);
     };
-    const std::string mu_text = text(columns_[0], ""), direction = text(columns_[1], "all"),
-                      test = text(columns_[2], "");
+    const std::string mu_text = text(columns_[0], ""), test = text(columns_[2], ""),
+                      direction = directions_.name_of(text(columns_[1], "all"));
     const auto mu = parse_number(mu_text);
     if (!mu || !(*mu >= 0.0 && *mu <= largest_friction))
       return {
           in_quotes(mu_text) + " is not a friction from 0 to " + shortest_decimal(largest_friction),
           "", "mu"};
-    if (direction.empty() || !is_plain_text(direction))
-      return {"the direction is empty, or not UTF-8 text", "name it in every row"};
-    if (!test.empty() && !names_.emplace(test, lower_case(direction)).second)
+    if (direction.empty()) return {"the direction is empty", "name it in every row"};
+    if (std::string what = fault_of(direction); !what.empty())
+      return {what, "save the file as UTF-8", "text"};
+    if (!test.empty() && !names_.emplace(test, direction).second)
       return {fmt::format("test {} {} is there twice", in_quotes(test), direction),
               "give each test once, and each of a direction its own name", "again"};
-    const auto same = std::ranges::find_if(tests, [&](const EvaluatedTests& known) {
-      return lower_case(known.direction) == lower_case(direction);
-    });
+    const auto same = std::ranges::find(tests, direction, &EvaluatedTests::direction);
     if (same == tests.end())
       tests.push_back({direction, {*mu}});
     else
@@ -149,13 +181,14 @@ class Sheet {
     std::string name;
     std::optional<std::size_t> at;
   };
+  DirectionNames& directions_;
   std::array<Column, 3> columns_{{{"mu", {}}, {"direction", {}}, {"test", {}}}};
   std::set<std::pair<std::string, std::string>> names_;  ///< of tests, with their direction
 };
 
 /// Nothing where the file is no sheet.
-std::vector<EvaluatedTests> read_sheet(const TextFile& file) {
-  Sheet sheet;
+std::vector<EvaluatedTests> read_sheet(const TextFile& file, DirectionNames& directions) {
+  Sheet sheet(directions);
   read_csv(file,
            {.split = csv_cells,
             .shown_of_a_kind = 1,
@@ -166,19 +199,7 @@ std::vector<EvaluatedTests> read_sheet(const TextFile& file) {
   return sheet.tests;
 }
 
-}  // namespace
-
-PullTestResults read_pull_test_results(const TextFile& file, const SlidingRule& rule) {
-  if (file.path.extension() == ".toml")
-    throw InputError({file.path.string(), "is a TOML file, not a table of pull tests (CSV)",
-                      "give the table with a row for each test, or sample", ""});
-  if (const auto tests = read_sheet(file); !tests.empty()) return {{}, summarise(tests)};
-  PullTestResults results{read_pull_tests(file), {}};
-  results.summary = summarise(results.tests, rule);
-  return results;
-}
-
-std::vector<PullTest> read_pull_tests(const TextFile& file) {
+std::vector<PullTest> read_logs(const TextFile& file, DirectionNames& directions) {
   PullTestHeader header;
   TestBuilder builder(file.path);
   read_csv(file, {.split = csv_cells,
@@ -192,10 +213,43 @@ std::vector<PullTest> read_pull_tests(const TextFile& file) {
                   .take_row =
                       [&](const Cells& cells, std::size_t line) {
                         RowTrouble trouble;
-                        const auto row = read_row(header, cells, trouble);
+                        const auto row = read_row(header, cells, directions, trouble);
                         return row ? builder.take(*row, line) : trouble;
                       }});
   return std::move(builder).tests();
+}
+
+}  // namespace
+
+PullTestResults read_pull_test_results(const TextFile& file, const SlidingRule& rule) {
+  if (file.path.extension() == ".toml")
+    throw InputError({file.path.string(), "is a TOML file, not a table of pull tests (CSV)",
+                      "give the table with a row for each test, or sample", ""});
+  DirectionNames names;
+  PullTestResults results;
+  if (const auto tests = read_sheet(file, names); !tests.empty()) {
+    results.summary = summarise(tests);
+  } else {
+    results.tests = read_logs(file, names);
+    results.summary = summarise(results.tests, rule);
+  }
+  for (DirectionFriction& d : results.summary.directions) {
+    d.note = names.note_on(d.direction);
+    if (!d.note.empty()) results.summary.notes.insert(results.summary.notes.begin(), d.note);
+  }
+  return results;
+}
+
+const DirectionFriction* find_direction(const PullTestSummary& summary, const std::string& name) {
+  const auto at = std::ranges::find_if(summary.directions, [&](const DirectionFriction& d) {
+    return folded(d.direction) == folded(name);
+  });
+  return at == summary.directions.end() ? nullptr : &*at;
+}
+
+std::vector<PullTest> read_pull_tests(const TextFile& file) {
+  DirectionNames directions;
+  return read_logs(file, directions);
 }
 
 }  // namespace glissade

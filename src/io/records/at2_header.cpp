@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <charconv>
 
+#include "glissade/core/printable.hpp"
 #include "text/scan.hpp"
 
 namespace glissade {
@@ -46,11 +47,6 @@ std::optional<double> step_in(std::string_view line, std::string_view word) {
   const std::string unit = lower_case(word_at(line, end));
   if (step && (unit == "ms" || unit == "msec" || unit == "milliseconds")) *step *= 1e-3;
   return step;
-}
-
-/// In ASCII: what is not would end in warnings and JSON.
-bool is_printable(std::string_view line) {
-  return std::ranges::all_of(line, [](char c) { return c >= ' ' && c <= '~'; });
 }
 
 void read_counts(std::string_view line, const std::string& lower, std::size_t npts_at,
@@ -130,7 +126,7 @@ std::optional<At2Header> find_at2_header(std::string_view text) {
   bool is_nga = false;
   while (reader.next() && reader.number() <= longest_header) {
     if (reader.number() == 1) is_nga = reader.line().starts_with("PEER NGA");
-    if (reader.number() == 2 && is_nga && is_printable(reader.line()))
+    if (reader.number() == 2 && is_nga && printable_name(reader.line()) == reader.line())
       header.source = trimmed(reader.line().substr(0, longest_header_line));
     const bool has_count = read_header_line(reader.line(), reader.number(), header);
     if (has_count && !trimmed(reader.line()).starts_with('#')) return header;

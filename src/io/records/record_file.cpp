@@ -52,6 +52,14 @@ double parse_sample(const std::filesystem::path& file, std::size_t line, std::st
   return sample_mps2;
 }
 
+void add_sample(const std::filesystem::path& file, double sample_mps2,
+                std::vector<double>& samples_mps2) {
+  if (samples_mps2.size() == most_samples)
+    throw InputError({file.string(), fmt::format("has more than {} samples", most_samples),
+                      "give the strong part of the record", ""});
+  samples_mps2.push_back(sample_mps2);
+}
+
 double at2_step(const std::filesystem::path& file, const At2Header& header,
                 const std::optional<double>& wanted) {
   if (wanted) {
@@ -85,16 +93,16 @@ void check_count(const std::filesystem::path& file, const At2Header& header, std
 Record read_at2(const std::filesystem::path& file, std::string_view text, const At2Header& header,
                 const RecordFileOptions& options) {
   const double unit_mps2 = mps2_per_unit(units_of(file, header, options));
-  Record record{file.string(), at2_step(file, header, options.dt_s), {}, header.source};
+  const double dt_s = at2_step(file, header, options.dt_s);
+  std::vector<double> samples;
   LineReader reader(text);
   while (reader.next()) {
     if (reader.number() <= header.lines) continue;
-    for (const std::string_view token : fields(reader.line())) {
-      record.acceleration_mps2.push_back(parse_sample(file, reader.number(), token, unit_mps2));
-    }
+    for (const std::string_view token : fields(reader.line()))
+      add_sample(file, parse_sample(file, reader.number(), token, unit_mps2), samples);
   }
-  check_count(file, header, record.acceleration_mps2.size());
-  return record;
+  check_count(file, header, samples.size());
+  return {file.string(), dt_s, std::move(samples), header.source};
 }
 
 constexpr std::size_t judged = 8;  ///< of the values without a time, to know a header
@@ -119,7 +127,7 @@ struct HeaderValue {
 std::optional<HeaderValue> find_count(const Record& record, double unit_mps2) {
   constexpr std::size_t headed = 3, least = 5;
   constexpr double least_count = 100.0, count_error = 0.05, far_above = 3.0;
-  const std::vector<double>& a = record.acceleration_mps2;
+  const Samples& a = record.acceleration_mps2;
   if (a.size() < least) return std::nullopt;
   const double first = a.front() / unit_mps2, after = static_cast<double>(a.size() - 1);
   if (std::round(first) == after || std::round(first) == after - 1.0)
@@ -149,7 +157,7 @@ std::optional<HeaderValue> find_count(const Record& record, double unit_mps2) {
 /// @param decimals of the first `judged` values
 std::optional<HeaderValue> find_step(const Record& record, double unit_mps2,
                                      const std::vector<std::size_t>& decimals) {
-  const std::vector<double>& a = record.acceleration_mps2;
+  const Samples& a = record.acceleration_mps2;
   const double first = a.front() / unit_mps2;
   const auto equals_step = [&](double value) {
     return std::abs(value - record.dt_s) <= 1e-9 * record.dt_s;
@@ -208,8 +216,8 @@ double column_step(const std::filesystem::path& file, const At2Header& header,
 
 Record read_columns(const std::filesystem::path& file, std::string_view text,
                     const RecordFileOptions& options) {
-  Record record{file.string(), 0.0, {}};
   const At2Header header = comments_of(text);
+  std::vector<double> samples;
   TimeColumn time;
   std::size_t columns = 0;
   double unit_mps2 = 1.0;
@@ -234,11 +242,13 @@ Record read_columns(const std::filesystem::path& file, std::string_view text,
                         what_is_read, ""});
     }
     if (columns == 2) time.add(parse_finite(file, line, parts[0], "the time"), parts[0], line);
-    record.acceleration_mps2.push_back(parse_sample(file, line, parts.back(), unit_mps2));
+    add_sample(file, parse_sample(file, line, parts.back(), unit_mps2), samples);
     if (columns == 1 && decimals.size() < judged) decimals.push_back(decimals_of(parts.back()));
   }
   if (columns == 0)
     throw InputError({file.string(), "the file holds no samples", what_is_read, ""});
+  if (header.npts) check_count(file, header, samples.size());
+  Record record{file.string(), 0.0, std::move(samples), ""};
   if (columns == 2) {
     if (!options.dt_s && header.dt_s)
       check_step(place(file, header.lines), header.dt_text, *header.dt_s);
@@ -247,7 +257,6 @@ Record read_columns(const std::filesystem::path& file, std::string_view text,
     record.dt_s = column_step(file, header, options);
     refuse_header(record, unit_mps2, decimals);
   }
-  if (header.npts) check_count(file, header, record.acceleration_mps2.size());
   return record;
 }
 
@@ -266,9 +275,7 @@ void refuse_impossible(const Record& record) {
 Record read_record(const std::filesystem::path& file, const RecordFileOptions& options) {
   if (options.dt_s) check_step(file.string(), shortest_decimal(*options.dt_s), *options.dt_s);
   const std::string text = read_text_file(file);
-  if (text.find('\0') != std::string::npos) {
-    throw InputError({file.string(), "is not a text file", what_is_read, ""});
-  }
+  refuse_no_text(file, text);
   const std::optional<At2Header> header = find_at2_header(text);
   Record record =
       header ? read_at2(file, text, *header, options) : read_columns(file, text, options);

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cstdlib>
-#include <iterator>
 #include <sstream>
 #include <system_error>
 
@@ -39,13 +38,15 @@ std::vector<fs::path> folders_of_environment() {
 RecordFinder::RecordFinder(fs::path suite_folder)
     : suite_folder_(std::move(suite_folder)), folders_(folders_of_environment()) {}
 
-std::vector<fs::path> RecordFinder::folders_that_are_none() const {
-  std::vector<fs::path> none;
-  std::ranges::copy_if(folders_, std::back_inserter(none), [](const fs::path& folder) {
+std::string RecordFinder::searched() const {
+  std::string text = "in " + (suite_folder_.empty() ? "." : suite_folder_.string());
+  if (folders_.empty()) return text + " (GLISSADE_RECORDS is not set)";
+  for (const fs::path& folder : folders_) {
     std::error_code ignored;
-    return !fs::is_directory(folder, ignored);
-  });
-  return none;
+    text += "; in and below " + folder.string() + " (GLISSADE_RECORDS)" +
+            (fs::is_directory(folder, ignored) ? "" : ", which is no folder");
+  }
+  return text;
 }
 
 const std::vector<fs::path>& RecordFinder::files_named(const std::string& file_name) {

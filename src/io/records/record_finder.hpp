@@ -18,8 +18,8 @@ class RecordFinder {
   /// Nothing if it is not there. Throws InputError, naming two, where the name fits several files
   /// and the relative path none or several of them.
   std::optional<std::filesystem::path> find(const std::filesystem::path& name);
-  /// Of GLISSADE_RECORDS.
-  std::vector<std::filesystem::path> folders_that_are_none() const;
+  /// Where it looks, for a message.
+  std::string searched() const;
 
  private:
   const std::vector<std::filesystem::path>& files_named(const std::string& file_name);

@@ -31,9 +31,7 @@ const DirectionFriction* direction_of(const TomlTable& table, const char* key,
                  "give one with direction = ...: " + list_of(directions));
     return nullptr;
   }
-  const auto at = std::find_if(directions.begin(), directions.end(),
-                               [&](const DirectionFriction& d) { return d.direction == *name; });
-  if (at != directions.end()) return &*at;
+  if (const DirectionFriction* found = find_direction(summary, *name)) return found;
   table.report(key, fmt::format("friction.{} = \"{}\" is not in the pull tests", key, *name),
                "they have " + list_of(directions));
   return nullptr;
@@ -46,6 +44,7 @@ std::string note_on(const DirectionFriction& d, const std::string& file) {
       "95 % confidence 97.7 % of pulls have more than {:.4g}",
       s.tests, d.direction, file, s.mean, s.std, s.lower_bound_95);
   if (s.normality) note += fmt::format("; Shapiro-Wilk p = {:.2g}", s.normality->p_value);
+  if (!d.note.empty()) note += "; " + d.note;
   return note;
 }
 

@@ -68,7 +68,7 @@ class NumberFile {
       return std::ranges::is_permutation(rows.header, wanted);
     });
     if (found == known_.end()) {
-      refuse_semicolons(where, line);
+      refuse_separators(where, line, ";");
       const std::string headers = headers_of(known_);
       throw InputError(
           {where,
@@ -92,7 +92,7 @@ class NumberFile {
       }
       const bool may_be_infinite = names_[i] == rows_->may_be_infinite;
       auto value = parse_number(cells[i]);
-      if (may_be_infinite && cells[i].empty()) value = INFINITY;
+      if (may_be_infinite && rows_->may_be_empty && cells[i].empty()) value = INFINITY;
       if (!value || !(std::isfinite(*value) || (may_be_infinite && *value > 0.0)))
         return {in_quotes(cells[i]) + " is not a finite number", "", "number"};
       if (names_[i] == "weight" && row_.has_weight) {
@@ -120,13 +120,30 @@ class NumberFile {
 
 }  // namespace
 
+namespace {
+
+/// Spreadsheets write empty cells behind the last column, and rows of them. Of a row that holds
+/// something the first `width` cells stay.
+void drop_empty_end(Cells& cells, std::size_t width) {
+  const auto used = std::ranges::find_if(cells.rbegin(), cells.rend(),
+                                         [](std::string_view cell) { return !cell.empty(); });
+  const auto count = static_cast<std::size_t>(cells.rend() - used);
+  if (count == 0) return cells.clear();
+  cells.resize(std::min(cells.size(), std::max(count, width)));
+}
+
+}  // namespace
+
 void read_csv(const TextFile& file, const CsvReader& csv) {
+  refuse_no_text(file.path, file.text);
   LineReader lines(file.text);
   Troubles troubles(csv.shown_of_a_kind);
   std::size_t width = 0, rows = 0;
   while (lines.next()) {
     if (is_blank_or_comment(lines.line())) continue;
-    const Cells cells = csv.split(lines.line());
+    Cells cells = csv.split(lines.line());
+    drop_empty_end(cells, width);
+    if (cells.empty()) continue;  // a row of commas
     const std::string where = place(file.path, lines.number());
     if (width == 0) {
       if (!csv.take_header(where, lines.line(), cells)) return;

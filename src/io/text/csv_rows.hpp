@@ -31,7 +31,7 @@ struct CsvReader {
   std::function<RowTrouble(const Cells& cells, std::size_t line)> take_row;
 };
 /// Throws InputError with what is wrong with the rows, or where there are none. Lines that begin
-/// with # are comments.
+/// with # are comments; empty columns at the end and rows of commas are left out.
 void read_csv(const TextFile& file, const CsvReader& reader);
 
 /// Columns of numbers beside which a file may have `record`, any text, and `weight`, 0 or more.
@@ -47,7 +47,8 @@ struct NumberRow {
 struct NumberRows {
   Cells header;
   std::function<RowTrouble(const NumberRow& row)> take_row;
-  std::string_view may_be_infinite = {};  ///< a column in which nothing stands for inf
+  std::string_view may_be_infinite = {};  ///< a column with inf
+  bool may_be_empty = false;              ///< in it nothing stands for inf
 };
 
 /// Reads the finite numbers below one of the headers.

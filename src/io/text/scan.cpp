@@ -8,6 +8,7 @@
 #include <string>
 
 #include "glissade/core/error.hpp"
+#include "glissade/core/printable.hpp"
 
 namespace glissade {
 namespace {
@@ -50,11 +51,34 @@ bool is_blank_or_comment(std::string_view line) {
   return text.empty() || text.front() == '#';
 }
 
-void refuse_semicolons(const std::string& where, std::string_view line) {
-  if (line.find(';') == std::string_view::npos || line.find(',') != std::string_view::npos) return;
-  throw InputError({where, "columns are separated by semicolons",
-                    "separate them by commas, with points in numbers: 1.5, not 1,5",
-                    "  " + std::string(line.substr(0, 100))});
+void refuse_separators(const std::string& where, std::string_view line,
+                       std::string_view separators) {
+  const std::size_t at = line.find_first_of(separators);
+  if (at == std::string_view::npos || line.find(',') != std::string_view::npos) return;
+  throw InputError(
+      {where, std::string("columns are separated by ") + (line[at] == ';' ? "semicolons" : "tabs"),
+       "separate them by commas, with points in numbers: 1.5, not 1,5 (\"CSV\" of a "
+       "spreadsheet in English)",
+       "  " + std::string(line.substr(0, 100))});
+}
+
+void refuse_no_text(const std::filesystem::path& file, std::string_view text) {
+  using namespace std::string_view_literals;
+  struct Foreign {
+    std::string_view beginning;
+    const char* what;
+  };
+  for (const auto& [beginning, what] :
+       {Foreign{"PK\x03\x04"sv, "is a workbook of Excel (xlsx), or another compressed file"},
+        Foreign{"\xd0\xcf\x11\xe0"sv, "is a workbook of Excel (xls)"},
+        Foreign{"\xff\xfe"sv, "is UTF-16, as the \"Unicode Text\" of Excel is"},
+        Foreign{"\xfe\xff"sv, "is UTF-16, as the \"Unicode Text\" of Excel is"}}) {
+    if (text.starts_with(beginning))
+      throw InputError({file.string(), what,
+                        "save the sheet as CSV, with commas, in UTF-8 (\"CSV UTF-8\")", ""});
+  }
+  if (text.find('\0') != std::string::npos)
+    throw InputError({file.string(), "is not a text file", "give a text file in UTF-8", ""});
 }
 
 std::vector<std::string_view> fields(std::string_view line) {
@@ -104,9 +128,10 @@ std::string shortest_decimal(double value) {
 
 std::string in_quotes(std::string_view text) {
   constexpr std::size_t longest = 40;
-  std::string result = "'";
-  for (const char c : text.substr(0, longest)) result += c >= 32 && c < 127 ? c : '?';
-  return result + (text.size() > longest ? "...'" : "'");
+  std::size_t end = std::min(text.size(), longest);
+  while (end < text.size() && end > 0 && (static_cast<unsigned char>(text[end]) & 0xC0u) == 0x80u)
+    --end;  // between two characters of UTF-8
+  return "'" + printable_name(text.substr(0, end)) + (end < text.size() ? "...'" : "'");
 }
 
 std::string place(const std::filesystem::path& file, std::size_t line) {

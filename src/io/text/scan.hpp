@@ -33,8 +33,14 @@ bool is_blank_or_comment(std::string_view line);  ///< `#` begins a comment
 /// The parts of a line between blanks, tabs and commas; two commas have an empty part between them.
 /// What follows `#` is dropped.
 std::vector<std::string_view> fields(std::string_view line);
-/// Throws InputError where a header's columns are separated by semicolons.
-void refuse_semicolons(const std::string& where, std::string_view line);
+/// Throws InputError where a header's columns are separated by one of these, ";" or tabs, and by no
+/// commas.
+void refuse_separators(const std::string& where, std::string_view line,
+                       std::string_view separators);
+
+/// Throws InputError, with what the file is, for a workbook of Excel, UTF-16 and anything else that
+/// is no text in UTF-8 or ASCII.
+void refuse_no_text(const std::filesystem::path& file, std::string_view text);
 
 /// The whole of `text` as a number, with an optional leading '+'; nothing if it is anything else.
 /// May be inf or nan.

@@ -2,10 +2,12 @@
 #include "plan/plan_notes.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
 #include <iterator>
+#include <span>
 
 #include "glissade/study/plan/one_mass.hpp"
 #include "plan/model_text.hpp"
@@ -19,6 +21,15 @@ std::size_t count_records(const Plan& plan, Lacks lacks) {
   for (std::size_t record = 0; record < plan.records.size(); ++record)
     count += lacks(plan.motion(record)) ? 1 : 0;
   return count;
+}
+
+/// The first few.
+std::string listed(const std::vector<std::string>& names) {
+  constexpr std::size_t most = 5;
+  const std::span shown(names.data(), std::min(most, names.size()));
+  const std::size_t more = names.size() - shown.size();
+  return fmt::format("{}{}", fmt::join(shown, ", "),
+                     more > 0 ? fmt::format(" and {} more", more) : "");
 }
 
 bool has_use(const StudyConfig& config, VerticalChoice use) {
@@ -41,6 +52,14 @@ std::vector<std::string> notes_on_records(const Plan& plan) {
     notes.push_back(fmt::format(
         "{} of {} records have one horizontal component: it is used throughout", single, records));
   }
+  std::vector<std::string> assumed;
+  for (std::size_t record = 0; record < records; ++record)
+    if (plan.motion(record).starts_are_assumed) assumed.push_back(plan.motion(record).id);
+  if (!assumed.empty())
+    notes.push_back(
+        fmt::format("{} of {} records have components of different steps or lengths, "
+                    "assumed to start together: {}",
+                    assumed.size(), records, listed(assumed)));
   if (records == 1) notes.push_back("one record: the scatter between records is not estimated");
   return notes;
 }

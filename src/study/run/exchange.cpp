@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "glissade/study/run/exchange.hpp"
 
+#include <map>
+
 #include "glissade/core/bytes.hpp"
 #include "glissade/core/hash.hpp"
 
@@ -13,7 +15,7 @@ template <class M, class Visit>
 void for_each_part(M& m, Visit visit) {
   visit(m.id), visit(m.event), visit(m.station);
   visit(m.magnitude), visit(m.distance_km), visit(m.vs30_mps), visit(m.scale), visit(m.dt_s);
-  visit(m.contradictions);
+  visit(m.contradictions), visit(m.starts_are_assumed);
 }
 template <class M, class Visit>
 void for_each_component(M& m, Visit visit) {
@@ -30,6 +32,7 @@ void for_each_target_part(T& t, Visit visit) {
 PackedSuites pack(const std::vector<Suite>& suites) {
   ByteWriter out;
   std::vector<double> samples;
+  std::map<const double*, std::size_t> first_of;  // components that are shared
   const auto put = [&](const auto& part) { out.put(part); };
   out.put(suites.size());
   for (const Suite& suite : suites) {
@@ -38,8 +41,9 @@ PackedSuites pack(const std::vector<Suite>& suites) {
     for (const Motion& m : suite.motions) {
       for_each_part(m, put);
       for_each_component(m, [&](const Samples& component) {
-        out.put(component.size());
-        samples.insert(samples.end(), component.begin(), component.end());
+        const auto [first, is_new] = first_of.try_emplace(component.data(), samples.size());
+        out.put(component.size()).put(first->second);
+        if (is_new) samples.insert(samples.end(), component.begin(), component.end());
       });
     }
     out.put(suite.target.has_value());
@@ -61,11 +65,10 @@ std::vector<Suite> unpack_suites(std::span<const char> headers,
     for (Motion& m : suite.motions) {
       for_each_part(m, get);
       for_each_component(m, [&](Samples& component) {
-        std::size_t size = 0;
-        in.get(size);
-        if (size > samples_mps2.size()) throw ShortMessage();
-        component = Samples::elsewhere(samples_mps2.first(size));
-        samples_mps2 = samples_mps2.subspan(size);
+        std::size_t size = 0, first = 0;
+        in.get(size).get(first);
+        if (first > samples_mps2.size() || size > samples_mps2.size() - first) throw ShortMessage();
+        component = Samples::elsewhere(samples_mps2.subspan(first, size));
       });
     }
     bool has_target = false;

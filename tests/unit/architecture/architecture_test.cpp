@@ -147,6 +147,20 @@ TEST(architecture, no_two_classes_have_one_name) {
   EXPECT_GT(file_of.size(), 300u);
 }
 
+// Names in files must not act on the terminal: cli/put.hpp makes all that is written printable.
+TEST(architecture, standard_output_is_written_in_one_place) {
+  const std::regex print(R"re(fmt::print\(|std::cout|\bputs\(|write_result\(printable)re");
+  int found = 0;
+  for (const fs::path& file : sources_below(root / "src")) {
+    std::ifstream in(file);
+    const std::string text{std::istreambuf_iterator<char>(in), {}};
+    if (!std::regex_search(text, print)) continue;
+    ++found;
+    EXPECT_EQ(file.filename(), "put.hpp") << file;
+  }
+  EXPECT_EQ(found, 1);
+}
+
 TEST(architecture, top_level_holds_the_agreed_folders_only) {
   const std::set<std::string> agreed = {"src",   "include", "suites", "studies",
                                         "tests", "cluster", "build",  "results"};

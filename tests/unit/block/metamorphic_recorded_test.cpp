@@ -28,9 +28,9 @@ std::vector<double> read_samples(const fs::path& file, double& dt_s) {
       {.dt_s = 0.005, .units = {}, .units_if_not_stated = g}};
   for (const RecordFileOptions& options : guesses) {
     try {
-      Record record = read_record(file, options);
+      const Record record = read_record(file, options);
       dt_s = record.dt_s;
-      return std::move(record.acceleration_mps2);
+      return record.acceleration_mps2.copy();
     } catch (const InputError&) {
     }
   }

@@ -36,6 +36,15 @@ TEST(counts_file, is_read_with_comments_blanks_and_either_line_end) {
   EXPECT_FALSE(counts.has.record || counts.has.weight);
 }
 
+TEST(counts_file, may_have_what_a_spreadsheet_leaves_behind) {
+  const TemporaryFolder folder;
+  const CountsInput counts = read_counts(folder.write(
+      "c.csv", "\xEF\xBB\xBFim,num_gms,num_exceed,,\n0.2,40,0,,\n,,,,\n0.4,40,6\n,,\n"));
+  ASSERT_EQ(counts.rows.size(), 2u);
+  EXPECT_EQ(counts.rows[1].stripe.exceedances, 6.0);
+  EXPECT_THAT(counts_lines("im,num_gms,num_exceed,,\n0.2,40,0,,1\n0.4,40\n"), ElementsAre(2, 3));
+}
+
 TEST(counts_file, reports_every_wrong_row_with_its_line) {
   EXPECT_THAT(counts_lines("im,num_gms,num_exceed\n0.2,40,41\n0,40,1\n0.3,40,-1\n0.4,40,1.5\n0.5,0,"
                            "0\n0.6,40\n0.7,40,x\n0.8,9,1\n0.8,9,2\nnan,1,1\n"),
@@ -59,7 +68,9 @@ TEST(capacities_file, is_one_column_of_positive_numbers) {
   EXPECT_EQ(capacities.rows[1].low, 1.25);
   EXPECT_EQ(capacities.rows[1].high, 1.25);
   EXPECT_FALSE(capacities.brackets);
-  EXPECT_THAT(capacities_faults("im_cap\n0.5\n-1\ninf\n"), ElementsAre("3 im_cap", "4 'inf'"));
+  EXPECT_THAT(capacities_faults("im_cap\n0.5\n-1\ninf\n"), ElementsAre("3 im_cap"));
+  EXPECT_THAT(capacities_faults("im_cap,record\n0.5,a\n,b\n-inf,c\n"),
+              ElementsAre("3 ''", "4 '-inf'"));
   EXPECT_THAT(capacities_faults("0.5\n"), ElementsAre(testing::StartsWith("1 ")));
 }
 

@@ -79,6 +79,40 @@ TEST(pull_test_file, has_names_in_utf_8) {
   }
 }
 
+TEST(pull_test_file, has_one_direction_where_names_differ_in_case_or_blanks) {
+  const TemporaryFolder folder;
+  std::string logs = header;
+  for (const char* name : {"1,Along", "2,along", "3,\" ALONG \""}) {
+    for (int i = 0; i <= 10; ++i)
+      logs += std::string(name) + "," + std::to_string(i) + "," + std::to_string(0.01 * i) +
+              ",50,100\n";
+  }
+  for (const std::string& text :
+       {logs, std::string("test,direction,mu\n1,Along,0.5\n2,along,0.5\n3,\" ALONG \",0.5\n")}) {
+    const PullTestResults results = read_pull_test_results(folder.write("t.csv", text), {});
+    ASSERT_EQ(results.summary.directions.size(), 1u);
+    const DirectionFriction& along = results.summary.directions[0];
+    EXPECT_EQ(along.direction, "Along");
+    EXPECT_EQ(along.sliding.tests, 3u);
+    EXPECT_THAT(along.note, states("ALONG, along", "one direction"));
+    EXPECT_THAT(results.summary.notes, testing::Contains(along.note));
+    EXPECT_EQ(find_direction(results.summary, "aLong "), &along);
+  }
+  EXPECT_THAT(
+      lines("test,direction,displacement_m,force_n,normal_n\n1,a,0,0,9\n2,a,0,0,9\n1,A,0,0,9\n"),
+      ElementsAre(4));
+}
+
+TEST(pull_test_file, names_what_a_file_is_that_is_no_csv) {
+  const std::string utf16("\xff\xfet\0e\0", 6);
+  expect_refusals(read,
+                  {{"test\tdirection\tmu\n1\talong\t0.5\n", "tests.csv:1", {"tabs", "commas"}},
+                   {utf16, "tests.csv", {"UTF-16", "CSV"}},
+                   {std::string("PK\x03\x04\0\0", 6), "tests.csv", {"Excel (xlsx)", "CSV"}},
+                   {"\xd0\xcf\x11\xe0", "tests.csv", {"Excel (xls)", "CSV"}},
+                   {std::string("a\0b", 3), "tests.csv", {"not a text file"}}});
+}
+
 TEST(pull_test_file, keeps_the_rows_of_a_test_together) {
   EXPECT_THAT(lines(header + "1,a,0,0,0,9\n2,a,0,0,0,9\n1,a,1,0,0,9\n1,a,2,0,0,9\n"),
               ElementsAre(4));

@@ -103,6 +103,42 @@ TEST_F(SuiteFile, components_whose_headers_contradict_each_other_are_named) {
   EXPECT_THAT(found("up.at2", "c.at2"), ElementsAre(states("UP"), states("270")));
 }
 
+TEST_F(SuiteFile, a_file_that_many_entries_name_is_read_once_and_its_samples_are_shared) {
+  folder_.write("suites/a.txt", "# acceleration_g\n0 1\n0.01 2\n");
+  folder_.write("suites/b.txt", "# acceleration_g\n0 1\n0.01 2\n0.02 1\n");
+  const auto record = [](const std::string& id, const std::string& files) {
+    return "[[record]]\nid = \"" + id + "\"\nfirst = " + files;
+  };
+  const Suite suite = load(head + record("1", "\"a.txt\"\n") +
+                           record("2", "\"./a.txt\"\nsecond = \"b.txt\"\nvertical = \"b.txt\"\n") +
+                           record("3", "{ file = \"a.txt\", dt_s = 0.01 }\nsecond = \"a.txt\"\n"));
+  const auto samples = [&](std::size_t motion, std::size_t component) {
+    return suite.motions[motion].horizontal_mps2[component].data();
+  };
+  EXPECT_EQ(samples(2, 1), samples(0, 0));
+  EXPECT_NE(samples(2, 0), samples(0, 0));  // read with another option
+  EXPECT_NE(samples(1, 0), samples(0, 0));  // longer by a zero
+  EXPECT_EQ(suite.motions[1].vertical_mps2.data(), samples(1, 1));
+  folder_.write("suites/a.txt", "# acceleration_g\n0 1\n0.01 x\n");
+  EXPECT_THAT(
+      problems_of([&] {
+        load(head + record("1", "\"a.txt\"\nsecond = \"a.txt\"\n") + record("2", "\"a.txt\"\n"));
+      }),
+      one_problem("suite.toml:6", "a.txt:3"));
+}
+
+// 51 times twice a million samples.
+TEST_F(SuiteFile, more_samples_than_a_suite_may_have_are_refused_once) {
+  std::string text = "# acceleration_g\n# DT = 0.01\n", suite = head;
+  for (int i = 0; i < 500'000; ++i) text += ".1\n-.1\n";
+  folder_.write("suites/long.txt", text);
+  for (int i = 0; i < 60; ++i)
+    suite += "[[record]]\nid = \"r" + std::to_string(i) +
+             "\"\nfirst = \"long.txt\"\nsecond = \"long.txt\"\n";
+  EXPECT_THAT(problems_of([&] { load(suite); }),
+              one_problem("suite.toml", "100 million samples", "r50"));
+}
+
 TEST_F(SuiteFile, records_are_found_below_the_folders_of_the_environment) {
   const std::string suite = head + "[[record]]\nid = \"a\"\nfirst = \"set/a.txt\"\n";
   folder_.write("r1/readme", "");

@@ -53,6 +53,24 @@ TEST(assemble_motion, of_one_component_is_that_component_and_keeps_the_metadata)
   EXPECT_TRUE(motion.vertical_mps2.empty());
 }
 
+TEST(assemble_motion, names_components_that_end_more_than_a_second_apart) {
+  const std::vector<double> long_one(500, 1.0), shorter(401, 1.0), cut(350, 1.0);
+  const auto assembled = [&](const std::vector<double>& second, double start_s = 0.0) {
+    return assemble_motion({}, timed(0.01, long_one), timed(0.01, second, start_s), std::nullopt);
+  };
+  EXPECT_THAT(assembled(cut).contradictions,
+              ElementsAre(states("second component ends at 3.5 s", "first at 5 s", "cut short",
+                                 "start together")));
+  EXPECT_THAT(assembled(cut, 1.5).contradictions, ElementsAre());  // as it is stated
+  EXPECT_THAT(assembled(shorter).contradictions, ElementsAre());
+  EXPECT_TRUE(assembled(shorter).starts_are_assumed);
+  EXPECT_FALSE(assembled(long_one).starts_are_assumed);
+  EXPECT_FALSE(assembled(cut, 1.5).starts_are_assumed);
+  const Motion steps = assemble_motion({}, timed(0.01, long_one),
+                                       timed(0.02, std::vector<double>(250, 1.0)), std::nullopt);
+  EXPECT_TRUE(steps.starts_are_assumed);
+}
+
 TEST(assemble_motion, pads_shorter_components_with_zeros) {
   const Motion motion = assemble_motion({}, timed(0.01, {1.0}), timed(0.01, {1.0, 2.0, 3.0}),
                                         timed(0.01, {4.0, 5.0}));

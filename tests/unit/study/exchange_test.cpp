@@ -18,7 +18,10 @@ TEST(exchange, brings_suites_over_to_the_last_bit) {
   suites[1].target.reset();
   suites[1].nearest_to_target = true;
   suites[1].motions[0].contradictions = {"one", "other"};
+  suites[1].motions[0].starts_are_assumed = true;
+  suites[1].motions[1].vertical_mps2 = suites[1].motions[0].vertical_mps2;  // sent once
   const PackedSuites packed = pack(suites);
+  EXPECT_EQ(packed.samples_mps2.size(), 17u * 600u);
   const std::vector<Suite> copy = unpack_suites(packed.headers, packed.samples_mps2);
   ASSERT_EQ(copy.size(), 2u);
   // The plan's hash covers every sample, scale and id.
@@ -29,6 +32,8 @@ TEST(exchange, brings_suites_over_to_the_last_bit) {
   EXPECT_EQ(copy[1].name, "other");
   EXPECT_FALSE(copy[1].target.has_value());
   EXPECT_TRUE(copy[1].nearest_to_target);
+  EXPECT_TRUE(copy[1].motions[0].starts_are_assumed);
+  EXPECT_EQ(copy[1].motions[1].vertical_mps2, suites[1].motions[0].vertical_mps2);
   EXPECT_EQ(copy[1].motions[0].contradictions, suites[1].motions[0].contradictions);
 }
 
