@@ -94,8 +94,8 @@ struct Project {
   double importance = 1.0;
   bool peer_reviewed = false;
   double round_up_m = 0.0127;
-  std::vector<std::string> plain_numbers;  ///< "height_m = 54 (177 ft)": without a unit in the
-                                           ///< file, of a project in US units
+  /// Of a project in US units: "height_m = 54 (177 ft)", without a unit in the file.
+  std::vector<std::string> unmarked_numbers;
 };
 
 }  // namespace glissade

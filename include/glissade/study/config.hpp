@@ -126,9 +126,11 @@ struct StudyConfig : Analyses::InStudy {
   std::string description;
   std::uint64_t seed = 0;
   UnitSystem units = UnitSystem::si;  ///< of its report
-  std::filesystem::path file;         ///< the study file
-  std::string source_text;            ///< the study file, verbatim
-  std::string hashed_text;            ///< the same with all quantities in the units of their keys
+  /// Of a study in US units: "thresholds_m = 1 (3.28 ft)", without a unit in the file.
+  std::vector<std::string> unmarked_numbers;
+  std::filesystem::path file;  ///< the study file
+  std::string source_text;     ///< the study file, verbatim
+  std::string hashed_text;     ///< the same with all quantities in the units of their keys
   std::vector<std::filesystem::path> suite_files;  ///< one at least, resolved
   std::vector<std::string> records;                ///< ids of the records to run; empty: all
   IntensityConfig intensity;

@@ -79,6 +79,10 @@ void exchange_prescribed_rates(const Archive& archive, Rows& rows) {
          &PrescribedRate::annual_rate);
 }
 
+constexpr NumberRule annual_rate_rule{"above 0, at most 1",
+                                      [](double x) { return x > 0.0 && x <= 1.0; },
+                                      "a return period of 475 years is a rate of 1/475 = 0.0021"};
+
 void read_hazard_of_study(const TomlTable& root, StudyConfig& study) {
   const TomlTable table = root.table("hazard");
   study.hazard =
@@ -86,7 +90,7 @@ void read_hazard_of_study(const TomlTable& root, StudyConfig& study) {
                   table.number("sds_g", above_zero).value_or(0.0), study.file.parent_path());
   std::vector<double> targets = {rate_of(0.01, 50.0), 1.0 / 2475.0, 1.0 / 700.0};
   if (table.has("target_rates_per_year"))
-    targets = read_increasing(table, "target_rates_per_year", above_zero);
+    targets = read_increasing(table, "target_rates_per_year", annual_rate_rule);
   std::ranges::reverse(targets);
   if (!study.hazard) return;
   study.hazard->target_rates_per_year = targets;

@@ -19,6 +19,7 @@
 #include "glissade/sampling/friction_statistics.hpp"
 #include "project/project_keys.hpp"
 #include "study/analysis_tables.hpp"
+#include "study/quantity_table.hpp"
 #include "study/target_table.hpp"
 #include "toml/toml_table.hpp"
 
@@ -146,9 +147,12 @@ void periods_of_system(const TomlTable& table, const Project& project, ProjectBu
   building.height_m = height_m;
   const double period_s = approximate_period_s(*system, height_m);
   building.approximate_period_s = period_s;
-  constexpr int count = 5;
-  for (int i = 0; i < count; ++i) {
-    const double factor = bounds[0] * std::pow(bounds[1] / bounds[0], i / (count - 1.0));
+  // Five, or as many as leave no gap, with periods rounded to milliseconds.
+  const double ratio = bounds[1] / bounds[0];
+  const double steps =
+      std::max(4.0, std::ceil(std::log(ratio) / std::log(0.97 * widest_period_step)));
+  for (double i = 0.0; i <= steps; ++i) {
+    const double factor = bounds[0] * std::pow(ratio, i / steps);
     building.period_s.push_back(std::round(1e3 * factor * period_s) / 1e3);
   }
   building.period_s.erase(std::ranges::unique(building.period_s).begin(), building.period_s.end());
@@ -230,8 +234,7 @@ const DirectionFriction* tested_friction(const TomlTable& table, const PullTestS
   const auto& directions = summary.directions;
   if (!table.has("direction")) return &*std::ranges::min_element(directions, {}, design_of);
   const std::string name = table.text("direction").value_or("");
-  const auto at = std::ranges::find(directions, name, &DirectionFriction::direction);
-  if (at != directions.end()) return &*at;
+  if (const DirectionFriction* found = find_direction(summary, name)) return found;
   std::string known;
   for (const DirectionFriction& d : directions) known += (known.empty() ? "" : ", ") + d.direction;
   table.report("direction", "the pull tests do not have the direction given",
@@ -282,6 +285,7 @@ ProjectFriction read_project_friction(const TomlTable& table, const fs::path& fo
   }
   if (!table.has("mu")) return friction;
   const TomlTable mu = table.table("mu");
+  explain_cov(mu);
   friction.mean = mu.required_number("mean", friction_rule);
   friction.std = mu.required_number("std", not_negative);
   friction.source = table.text("source").value_or("-");
@@ -364,27 +368,6 @@ std::string outliers_of(const ProjectFriction& mu) {
   return text;
 }
 
-/// Numbers that an engineer may have written in feet or kip, in a project in US units.
-std::vector<std::string> plain_numbers(const TomlTable& root) {
-  constexpr std::pair<const char*, const char*> keys[] = {
-      {"building", "height_m"},        {"building", "array_weight_kn"},
-      {"building", "weight_kn"},       {"array", "centre_of_mass_m"},
-      {"array", "support_spacing_m"},  {"clearances", "similar_array_m"},
-      {"clearances", "obstruction_m"}, {"clearances", "parapet_edge_m"},
-      {"clearances", "open_edge_m"},   {"result", "round_up_m"}};
-  std::vector<std::string> texts;
-  for (const auto& [name, key] : keys) {
-    const TomlTable table = root.table(name);
-    if (!table.is_number(key)) continue;
-    const double value = table.number(key).value_or(0.0);
-    const bool is_weight = std::string_view(key).ends_with("_kn");
-    texts.push_back(fmt::format("{} = {:g} ({:.3g} {})", table.name_of(key), value,
-                                value / (is_weight ? pound_force_n : foot_m),
-                                is_weight ? "kip" : "ft"));
-  }
-  return texts;
-}
-
 /// What no analysis can answer.
 void check_project(const TomlTable& root, const Project& project) {
   const double tangent = std::tan(project.slope_deg.back() * rad_per_deg);
@@ -437,7 +420,8 @@ Project read_project(const std::filesystem::path& file) {
   project.slope_deg = read_slopes(root.table("roof"));
   project.friction = read_project_friction(root.table("friction"), file.parent_path());
   read_rest(root, project);
-  if (project.units == UnitSystem::us_customary) project.plain_numbers = plain_numbers(root);
+  if (project.units == UnitSystem::us_customary)
+    project.unmarked_numbers = document.unmarked_numbers();
   if (root.problem_count() == 0) check_project(root, project);
   document.finish();
   return project;

@@ -89,6 +89,9 @@ std::string demand_study(const Project& project, const fs::path& folder) {
 std::string probability_study(const Project& project, const fs::path& folder,
                               const std::vector<double>& thresholds_m) {
   GLISSADE_EXPECTS(!thresholds_m.empty());
+  std::vector<std::string> thresholds;
+  for (const double threshold_m : thresholds_m)
+    thresholds.push_back(fmt::format("\"{} m\"", threshold_m));
   const ProjectFriction& mu = project.friction;
   const std::string friction = mu.std > 0.0
                                    ? fmt::format("{{ mean = {}, std = {} }}", mu.mean, mu.std)
@@ -107,7 +110,7 @@ std::string probability_study(const Project& project, const fs::path& folder,
              list_of(project.building.period_s), between(project.building.mass_ratio),
              project.building.damping, project.slope_deg.back(), friction,
              mu.std > 0.0 ? "value = \"sampled\"\n" : "", project.samples,
-             fmt::join(thresholds_m, ", "), project.importance,
+             fmt::join(thresholds, ", "), project.importance,
              quoted(to_string(site_values(project.site).category)), accepted_exceedance) +
          hazard_of(project, folder);
 }

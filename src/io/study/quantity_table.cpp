@@ -126,6 +126,10 @@ std::optional<Quantity> read_moments(const TomlTable& table, const char* key,
   const TomlTable moments = table.table(key);
   const std::size_t problems = table.problem_count();
   const double mean = moments.required_number("mean");
+  explain_cov(moments);
+  if (!moments.has("std"))
+    moments.report_missing("std", std::string("give it, or one number, for a constant: ") + key +
+                                      " = " + shortest_decimal(mean));
   const double std = moments.number("std", not_negative).value_or(0.0);
   if (table.problem_count() > problems) return std::nullopt;
   if (mean < range.min || mean > range.max) {
@@ -140,6 +144,11 @@ std::optional<Quantity> read_moments(const TomlTable& table, const char* key,
 }
 
 }  // namespace
+
+void explain_cov(const TomlTable& moments) {
+  moments.explain_unknown(
+      "cov", "give the standard deviation, std = cov x mean (0.08 x 0.50: std = 0.04)");
+}
 
 std::span<const DistributionForm> distribution_forms() { return forms; }
 

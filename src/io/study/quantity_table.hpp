@@ -28,4 +28,7 @@ std::optional<Quantity> read_quantity(const TomlTable& table, const char* key,
 /// The same of a slope that is given as the rise in 12, not in degrees.
 std::optional<Quantity> read_rise_in_12(const TomlTable& table);
 
+/// Of { mean, cov }: what the standard deviation is.
+void explain_cov(const TomlTable& moments);
+
 }  // namespace glissade

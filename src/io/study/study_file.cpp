@@ -86,9 +86,8 @@ void read_suites(const TomlTable& table, StudyConfig& study) {
     names = table.texts("files").value_or(names);
     if (names.empty()) table.report("files", "suite.files is empty", "name at least one suite");
   } else {
-    names = {table.required_text("file")};
+    names = {table.required_text("file", "several suites are suite.files = [...]")};
   }
-  table.text("file");
   const char* key = table.has("files") ? "files" : "file";
   for (const std::string& name : names) {
     study.suite_files.push_back((study.file.parent_path() / name).lexically_normal());
@@ -168,6 +167,7 @@ StudyConfig read_study(const std::filesystem::path& file, TextFiles& files) {
   refuse_idle_keys(root, study);
   check_size(root, study);
   document.finish();
+  if (study.units == UnitSystem::us_customary) study.unmarked_numbers = document.unmarked_numbers();
   study.hashed_text = document.text_in_key_units();
   return study;
 }

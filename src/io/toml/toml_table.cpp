@@ -10,6 +10,7 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "glissade/core/printable.hpp"
 #include "text/scan.hpp"
 #include "toml/source_text.hpp"
 #include "toml/written_units.hpp"
@@ -35,9 +36,13 @@ struct TomlDocument::State {
   std::set<const void*> not_checked;
   std::function<bool(const std::string& name)> is_key;
   std::vector<RenamedKey> renamed;
+  std::map<std::string, std::string> explained;  ///< what to suggest for keys that are none
   std::vector<ChangedKey> changed;
   /// Quantities written with a unit: where their text begins, and the number.
   std::map<std::size_t, double> written;
+
+  /// Plain numbers of keys in m and kN, by where they begin: "height_m = 54 (177 ft)".
+  std::map<std::size_t, std::string> unmarked;
 
   void note_written(const toml::source_position& at, double value);
   Problem problem(const toml::source_position& at, std::string what, std::string suggestion) const;
@@ -104,6 +109,11 @@ std::optional<double> as_number(TomlDocument::State& document, const toml::node&
   if (!given) return std::nullopt;
   const double value = *given;
   if (node.is_string()) document.note_written(node.source().begin, value);
+  const KeyUnits* units = units_of_key(*rule.unit_key ? rule.unit_key : name);
+  const KeyUnits::Unit* unit = units != nullptr ? customary_unit(*units) : nullptr;
+  if (node.is_number() && unit != nullptr && value != 0.0)
+    document.unmarked[document.source.offset_of(node.source().begin)] =
+        fmt::format("{} = {:g} ({:.3g} {})", name, value, value / unit->factor, unit->name);
   if (!std::isfinite(value) || !rule.is_met(value)) {
     const std::string reason = *rule.reason ? std::string(" (") + rule.reason + ")" : "";
     table.report(key,
@@ -161,6 +171,8 @@ void TomlDocument::State::find_unknown_keys(const toml::table& table, const std:
     std::string suggestion;
     if (old != nullptr) {
       suggestion = old->now;
+    } else if (const auto known_as = explained.find(path + name); known_as != explained.end()) {
+      suggestion = known_as->second;
     } else if (!nearest.empty()) {
       suggestion = "did you mean " + nearest + unit_note(name, nearest) + "?";
     } else {
@@ -225,6 +237,7 @@ TomlDocument::TomlDocument(const std::filesystem::path& file, TextFiles* files)
   state_->file = file;
   if (files != nullptr) state_->files = files;
   state_->source = SourceText(state_->files->text_file(file).text);
+  refuse_no_text(file, text());
   try {
     state_->root = parse_toml(text());
   } catch (const toml::parse_error& error) {
@@ -278,6 +291,12 @@ std::string TomlDocument::text_in_key_units() const {
     copied = text.find(quotes, first) + quotes.size();
   }
   return result + text().substr(copied);
+}
+
+std::vector<std::string> TomlDocument::unmarked_numbers() const {
+  std::vector<std::string> texts;
+  for (const auto& [offset, text] : state_->unmarked) texts.push_back(text);
+  return texts;
 }
 
 void TomlDocument::add(Problem problem) {
@@ -369,6 +388,10 @@ TextFile TomlTable::text_file(const std::filesystem::path& file) const {
 
 bool TomlTable::is_there(const std::filesystem::path& file) const {
   return document_->files->is_there(file);
+}
+
+void TomlTable::explain_unknown(std::string_view key, std::string suggestion) const {
+  document_->explained[name_of(key)] = std::move(suggestion);
 }
 
 void TomlTable::ignore_unknown() const { document_->not_checked.insert(node_); }
@@ -469,19 +492,17 @@ std::optional<std::string> TomlTable::text(std::string_view key, const std::stri
   if (!node->is_string())
     report(key, name_of(key) + " is " + kind_of(*node) + ", not a text", remedy);
   std::optional<std::string> text = node->value_exact<std::string>();
-  const auto acts_on_a_terminal = [](char c) {
-    return (static_cast<unsigned char>(c) < 0x20 && c != '\n' && c != '\t') || c == 0x7f;
-  };
-  if (text && std::ranges::any_of(*text, acts_on_a_terminal)) {
-    report(key, name_of(key) + " has a control character", "leave it out");
+  if (text && printable(*text) != *text) {
+    report(key, name_of(key) + " = " + in_quotes(*text) + " has a control character",
+           "leave it out");
     return std::nullopt;
   }
   return text;
 }
 
-std::string TomlTable::required_text(std::string_view key) const {
+std::string TomlTable::required_text(std::string_view key, const std::string& remedy) const {
   if (!has(key)) report_missing(key);
-  std::optional<std::string> value = text(key);
+  std::optional<std::string> value = text(key, remedy);
   if (value && value->empty()) report(key, name_of(key) + " is empty");
   return value.value_or("");
 }

@@ -83,6 +83,9 @@ class TomlDocument {
   /// From now on a key, "friction.mu" or "chart.shown.level", can be read only where `is_key`
   /// holds: std::logic_error for any other, since it would be in no explanation of the keys.
   void read_only(std::function<bool(const std::string& name)> is_key);
+  /// Lengths and forces that were read and that the file gives as plain numbers, with what they are
+  /// in US units: "building.height_m = 54 (177 ft)".
+  std::vector<std::string> unmarked_numbers() const;
   /// What to suggest for keys that are not known any more, and what else to report with them.
   void explain_old_keys(std::vector<RenamedKey> keys, std::vector<ChangedKey> changed);
   void finish();
@@ -117,7 +120,8 @@ class TomlTable {
   std::optional<bool> flag(std::string_view key) const;
   std::optional<std::string> text(std::string_view key,
                                   const std::string& remedy = "put it in quotes") const;
-  std::string required_text(std::string_view key) const;
+  std::string required_text(std::string_view key,
+                            const std::string& remedy = "put it in quotes") const;
   std::optional<std::vector<std::string>> texts(std::string_view key) const;
 
   template <class E>
@@ -152,6 +156,8 @@ class TomlTable {
   /// A file that the table names.
   TextFile text_file(const std::filesystem::path& file) const;
   bool is_there(const std::filesystem::path& file) const;
+  /// What to suggest where the table has a key that is none.
+  void explain_unknown(std::string_view key, std::string suggestion) const;
   /// Whatever else the table contains is not to be reported as unknown: an earlier problem kept it
   /// from being read.
   void ignore_unknown() const;

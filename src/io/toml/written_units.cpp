@@ -102,6 +102,15 @@ const KeyUnits* units_of_key(std::string_view key) {
   return nullptr;
 }
 
+const KeyUnits::Unit* customary_unit(const KeyUnits& units) {
+  const std::string_view wanted = units.units.data() == lengths.data()  ? "ft"
+                                  : units.units.data() == forces.data() ? "kip"
+                                                                        : "";
+  const auto at = std::ranges::find_if(
+      units.units, [&](const KeyUnits::Unit& unit) { return unit.name == wanted; });
+  return at == units.units.end() ? nullptr : &*at;
+}
+
 std::span<const KeyUnits> all_key_units() { return rows; }
 
 std::string number_in_unit_of(std::string key, const std::string& text) {

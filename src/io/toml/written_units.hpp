@@ -29,6 +29,8 @@ struct KeyUnits {
 
 /// By the last part of "fragility.thresholds_m.from" that ends with a unit; null: the key has none.
 const KeyUnits* units_of_key(std::string_view key);
+/// Feet or kip of keys in m or kN; null: no other.
+const KeyUnits::Unit* customary_unit(const KeyUnits& units);
 std::span<const KeyUnits> all_key_units();
 
 }  // namespace glissade

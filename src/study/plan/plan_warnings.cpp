@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 
 #include "glissade/motion/improbable.hpp"
@@ -73,21 +74,30 @@ Warnings target_values(const Plan& plan) {
 }
 
 Warnings improbable_buildings(const Plan& plan) {
-  constexpr double most_damping = 0.2;  // recalled: buildings have 0.01 to 0.1
-  double longest_s = 0.0, damping = 0.0;
+  double longest_s = 0.0, damping = 0.0, mass_ratio = 0.0, slope_deg = 0.0;
   for (const Case& c : plan.cases.all()) {
     longest_s = std::max(longest_s, c.period_s);
     damping = std::max(damping, c.damping);
+    mass_ratio = std::max(mass_ratio, c.mass_ratio);
+    slope_deg = std::max(slope_deg, std::abs(c.slope_deg));
   }
   Warnings warnings;
   if (longest_s > longest_probable_period_s)
     warnings.push_back(
         fmt::format("a building period of {:g} s is longer than that of any building", longest_s));
-  if (damping > most_damping)
-    warnings.push_back(fmt::format(
-        "a damping ratio of {:g} is above {:g}: no building has it without dampers (recalled)",
-        damping, most_damping));
+  for (const std::string& text :
+       {longest_s > 0.0 ? improbable_damping(damping) : "", improbable_mass_ratio(mass_ratio),
+        improbable_slope(slope_deg), unmarked_numbers(plan.config.unmarked_numbers)})
+    if (!text.empty()) warnings.push_back(text);
   return warnings;
+}
+
+/// A clearance and a chart are of the worst period, which may lie between those that are listed.
+Warnings period_gaps(const Plan& plan) {
+  const Quantity& periods = plan.config.quantities.at("building", "period_s");
+  if (!(plan.config.clearance || plan.config.chart) || periods.is_drawn()) return {};
+  const std::string gaps = gaps_between(periods.values);
+  return gaps.empty() ? Warnings() : Warnings{gaps};
 }
 
 Warnings low_friction(const Plan& plan) {
@@ -174,8 +184,8 @@ Warnings nearest_records(const Plan& plan) {
 std::vector<std::string> warnings_on(const Plan& plan) {
   std::vector<std::string> warnings;
   for (const auto warning : {without_target, one_axis, strong_levels, missed_targets, target_values,
-                             improbable_buildings, low_friction, high_friction, free_sliding,
-                             other_targets, same_motions, motions, nearest_records}) {
+                             improbable_buildings, period_gaps, low_friction, high_friction,
+                             free_sliding, other_targets, same_motions, motions, nearest_records}) {
     for (std::string& text : warning(plan)) warnings.push_back(std::move(text));
   }
   for_each_analysis(Analyses(), [&](auto analysis) {

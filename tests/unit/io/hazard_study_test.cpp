@@ -63,6 +63,23 @@ TEST_F(HazardStudy, refuses_no_curve_two_curves_and_half_a_law) {
            {hazard + "k0 = -1\nk = 2\n" + life, "study.toml:14", {"hazard.k0 = -1"}}});
 }
 
+TEST_F(HazardStudy, refuses_return_periods_and_warns_of_probabilities_in_place_of_rates) {
+  refuses({{needed + "[hazard]\nk0 = 1e-4\nk = 2\ndesign_life_years = 25\n"
+                     "target_rates_per_year = [475, 2475]\n",
+            "study.toml:17",
+            {"hazard.target_rates_per_year = 475", "return period", "1/475"}}});
+  const auto warning = [](std::vector<HazardPoint> points) {
+    return improbable_rates(HazardCurve(std::move(points)));
+  };
+  // Of 63, 10 and 2 % in 50 years, and the rates that these are.
+  EXPECT_THAT(warning({{0.1, 0.63}, {0.5, 0.10}, {1.0, 0.02}}),
+              test::states("0.5 g once in 10 years", "probabilities in 50 years"));
+  EXPECT_EQ(warning({{0.1, rate_of(0.63, 50)}, {0.5, rate_of(0.1, 50)}, {1.0, rate_of(0.02, 50)}}),
+            "");
+  EXPECT_EQ(improbable_rates(HazardCurve::power_law(1e-3, 2.2)), "");
+  EXPECT_NE(improbable_rates(HazardCurve::power_law(0.02, 2.2)), "");
+}
+
 TEST_F(HazardStudy, refuses_a_curve_that_is_none) {
   const auto read_curve = [&](const std::string& csv) { read_with_curve(csv); };
   const std::string head = "sds_g,annual_rate\n";

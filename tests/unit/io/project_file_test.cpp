@@ -7,6 +7,7 @@
 
 #include "glissade/design/design_clearance.hpp"
 #include "glissade/io/study_file.hpp"
+#include "glissade/motion/improbable.hpp"
 #include "problems.hpp"
 #include "temporary_folder.hpp"
 
@@ -143,7 +144,7 @@ TEST_F(ProjectFile, a_sheet_of_tests_may_name_tests_and_directions) {
   EXPECT_EQ(project.friction.direction, "along");  // the lower one
   EXPECT_NEAR(project.friction.mean, 0.52, 1e-12);
   folder_.write("sheet.csv", "test,direction,mu\n1,along,0.5\n2,along,0.5\n1,Along,0.5\n");
-  EXPECT_THAT(problems_of(text), one_problem("p.toml:15", "sheet.csv:4", "'1' Along"));
+  EXPECT_THAT(problems_of(text), one_problem("p.toml:15", "sheet.csv:4", "'1' along"));
   folder_.write("sheet.csv", "direction,mu\nalong,0.5\nalong,5.4\n,0.5\n");
   EXPECT_EQ(problems_of(text).size(), 2u);
 }
@@ -173,6 +174,36 @@ TEST_F(ProjectFile, plain_numbers_of_a_project_in_us_units_are_a_warning) {
        {clearance + "\"4 ft\"\n",
         std::string(clearance + "4\n").insert(whole.find("[site]"), "units = \"si\"\n")})
     EXPECT_THAT(choices_of(read(text)), Not(Contains(states("clearances.open_edge_m")))) << text;
+}
+
+TEST_F(ProjectFile, bounds_of_the_period_have_as_many_periods_as_leave_no_gap) {
+  const auto periods = [&](const char* bounds) {
+    return read(changed("period_s = [1.0, 0.5]",
+                        std::string("system = \"other\"\nheight_m = \"9 m\"\nperiod_bounds = ") +
+                            bounds))
+        .building.period_s;
+  };
+  EXPECT_EQ(periods("[0.75, 1.5]").size(), 5u);
+  for (const char* bounds : {"[0.75, 2.5]", "[0.3, 3]", "[0.75, 2.15]"})
+    EXPECT_EQ(gaps_between(periods(bounds)), "") << bounds;
+}
+
+TEST_F(ProjectFile, the_studies_it_makes_have_no_number_without_its_unit) {
+  const Project project = read(whole);
+  folder_.write("made/suite.toml", "");
+  for (const std::string& text : {demand_study(project, folder_.path()),
+                                  probability_study(project, folder_.path(), {0.3, 0.6})})
+    EXPECT_THAT(read_study(folder_.write("made.toml", text)).unmarked_numbers, ElementsAre());
+}
+
+TEST_F(ProjectFile, a_wall_is_no_frame_and_a_coefficient_of_variation_no_deviation) {
+  EXPECT_THAT(problems_of(changed("period_s = [1.0, 0.5]",
+                                  "system = \"concrete_shear_wall\"\nheight_m = \"9 m\"")),
+              ElementsAre(testing::Field(&Problem::suggestion,
+                                         testing::StartsWith("known are steel_moment_frame"))));
+  EXPECT_THAT(problems_of(changed("std = 0.04", "cov = 0.08")),
+              Contains(is_problem(
+                  "p.toml:15", std::vector<std::string>{"friction.mu.cov", "std = cov x mean"})));
 }
 
 TEST_F(ProjectFile, bounds_without_the_period_between_them_are_a_warning) {

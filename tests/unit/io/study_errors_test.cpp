@@ -25,6 +25,33 @@ TEST_F(StudyFile, all_problems_are_reported_at_once) {
                                    "10 friction.mu.mean", "12 roof.slope_deg", "1 the"));
 }
 
+TEST_F(StudyFile, a_mean_needs_its_deviation_which_is_not_relative) {
+  const auto with = [](const char* mu) {
+    return study_part + suite_part + intensity_part + "[friction]\nmu = " + mu + "\n" +
+           fragility_part;
+  };
+  refuses(
+      {{with("{ mean = 0.55 }"), "study.toml:10", {"friction.mu.std is missing", "mu = 0.55"}}});
+  EXPECT_THAT(error(with("{ mean = 0.55, cov = 0.08 }")),
+              test::states("friction.mu.cov is not a known key", "std = cov x mean"));
+}
+
+TEST_F(StudyFile, several_suites_have_a_key_of_their_own) {
+  refuses({{study_part + "[suite]\nfile = [\"suite.toml\"]\n" + intensity_part + friction_part +
+                fragility_part,
+            "study.toml:5",
+            {"suite.file", "suite.files = [...]"}}});
+}
+
+TEST_F(StudyFile, plain_numbers_of_a_study_in_us_units_are_named) {
+  const std::string us =
+      "[study]\nname = \"s\"\nunits = \"us\"\n" + suite_part + intensity_part + friction_part;
+  EXPECT_THAT(
+      read(us + "[fragility]\nthresholds_m = [\"2 ft\", 1, 3]\n").unmarked_numbers,
+      ElementsAre("fragility.thresholds_m = 1 (3.28 ft)", "fragility.thresholds_m = 3 (9.84 ft)"));
+  EXPECT_THAT(read(needed).unmarked_numbers, ElementsAre());
+}
+
 TEST_F(StudyFile, syntax_errors_and_wrong_types_are_located) {
   EXPECT_THAT(lines_of([&] { read("[study]\nname = \"a\nseed = 1\n"); }), ElementsAre(2));
   EXPECT_THAT(faults(needed + "[building]\nperiod_s = \"0.5\"\n"),

@@ -190,7 +190,7 @@ TEST_F(StudyFile, every_parameter_takes_a_number_a_list_a_range_and_distribution
     EXPECT_EQ(normal.mean, last);
     EXPECT_EQ(normal.std, 0.01);
     EXPECT_EQ(normal.min, p.range.min);
-    EXPECT_THAT(quantity("{ mean = " + to + " }").values, ElementsAre(last));
+    EXPECT_THAT(quantity("{ mean = " + to + ", std = 0 }").values, ElementsAre(last));
   }
 }
 

@@ -398,15 +398,16 @@ TEST(plan, warns_of_what_is_possible_and_not_probable) {
   const auto with_curve = [](double rate, double part = 1.0) {
     return [=](StudyConfig& c) {
       const double low = c.intensity.levels.front(), high = part * c.intensity.levels.back();
-      c.hazard = HazardConfig{HazardCurve({{low, 4.0 * rate}, {1.0, rate}, {high, 1e-9 * rate}}),
+      c.hazard = HazardConfig{HazardCurve({{low, 4.0 * rate}, {1.0, rate}, {high, 1e-6 * rate}}),
                               "curve.csv",
                               25.0,
                               {1e-3}};
     };
   };
-  EXPECT_EQ(warnings(with_curve(0.05)), 0u);  // of 1 g: the MCE of the suite is stronger
+  EXPECT_EQ(warnings(with_curve(0.014)), 0u);
+  EXPECT_EQ(warnings(with_curve(0.02)), 1u);  // a probability in 50 years
   EXPECT_EQ(warnings(with_curve(1e-6)), 1u);
-  EXPECT_EQ(warnings(with_curve(0.05, 0.99)), 1u);
+  EXPECT_EQ(warnings(with_curve(0.014, 0.99)), 1u);
   StudyConfig us = small_config();
   us.units = UnitSystem::us_customary;
   us.fragility->thresholds_m = {0.1524, 12.7};
@@ -419,11 +420,39 @@ TEST(plan, warns_of_what_is_possible_and_not_probable) {
             3u);  // and one axis, and some of what is drawn is below the slope
   EXPECT_EQ(warnings([](StudyConfig& c) { c.quantities.at("roof", "slope_deg") = fixed(30.0); }),
             1u);
+  EXPECT_EQ(warnings([](StudyConfig& c) { c.quantities.at("roof", "slope_deg") = fixed(0.25); }),
+            1u);
+  EXPECT_EQ(
+      warnings([](StudyConfig& c) { c.quantities.at("building", "mass_ratio") = fixed(1e-5); }),
+      1u);
+  EXPECT_EQ(warnings([](StudyConfig& c) {
+              c.unmarked_numbers = {"fragility.thresholds_m = 1 (3.28 ft)"};
+            }),
+            1u);
   Suite twins = small_suite();
   for (Motion& motion : twins.motions) motion.horizontal_mps2[1] = motion.horizontal_mps2[0];
   EXPECT_EQ(make_plan(small_config(), {twins}).warnings.size(), twins.motions.size() + 1);
   for (Motion& motion : twins.motions) motion.dt_s = 0.5;  // five are named, the others counted
   EXPECT_EQ(make_plan(small_config(), {twins}).warnings.size(), 5u + 1u + 1u);
+}
+
+TEST(plan, warns_of_gaps_between_the_periods_of_which_the_worst_counts) {
+  StudyConfig config = small_config();
+  config.quantities.at("building", "period_s") = listed({0.2, 0.25, 0.5, 0.7});
+  const auto warned = testing::Contains(test::states("0.25 and 0.5, 0.5 and 0.7 s", "1.3 times"));
+  EXPECT_THAT(small_plan(config).warnings, testing::Not(warned));
+  config.clearance = ClearanceConfig{.without_target = true};
+  EXPECT_THAT(small_plan(config).warnings, warned);
+  config.quantities.at("building", "period_s") = listed({0.0, 0.075, 0.09});
+  EXPECT_THAT(small_plan(config).warnings,
+              testing::Not(testing::Contains(test::states("1.3 times"))));
+}
+
+TEST(plan, notes_records_whose_components_are_assumed_to_start_together) {
+  Suite suite = small_suite();
+  suite.motions[1].starts_are_assumed = true;
+  EXPECT_THAT(make_plan(small_config(), {suite}).notes,
+              testing::Contains(test::states("1 of 3 records", "start together", "motion1")));
 }
 
 TEST(plan, warns_of_one_motion_under_two_ids) {

@@ -109,6 +109,9 @@ double displacement_at(double rate, const std::vector<double>& displacements_m,
 /// By the run's curve.
 double displacement_at(double rate, const HazardRun& run);
 
+/// Of rates that no site has, most probably no annual ones; "" of others. For intensities in g.
+std::string improbable_rates(const HazardCurve& curve);
+
 struct HazardAnalysis {
   struct InStudy {
     std::optional<HazardConfig> hazard;

@@ -10,6 +10,23 @@
 
 namespace glissade {
 
+std::string improbable_rates(const HazardCurve& curve) {
+  // Near the most active faults 0.5 g is exceeded once in 20 years or so, 1 g once in 70
+  // (recalled).
+  constexpr double weakest_g = 0.2, most_at_1g = 0.015;
+  std::vector<HazardPoint> points = curve.points();
+  if (curve.is_power_law()) points = {{0.5, curve.annual_rate(0.5)}, {1.0, curve.annual_rate(1.0)}};
+  for (const auto& [intensity_g, annual_rate] : points) {
+    if (intensity_g < weakest_g || annual_rate * intensity_g * intensity_g <= most_at_1g) continue;
+    return fmt::format(
+        "the hazard curve gives {:g} g once in {:.3g} years, more often than at any site: are its "
+        "rates probabilities in 50 years? Of a probability p in 50 years the annual rate is -ln(1 "
+        "- p)/50",
+        intensity_g, 1.0 / annual_rate);
+  }
+  return "";
+}
+
 /// Levels beyond the ends of the curve, and a curve that does not fit the design spectra.
 std::vector<std::string> HazardAnalysis::plan_warnings(const StudyOutline& study) {
   if (!study.config.hazard) return {};
@@ -22,6 +39,10 @@ std::vector<std::string> HazardAnalysis::plan_warnings(const StudyOutline& study
         fmt::format("the hazard curve goes from {:g} to {:g}, the levels from {:g} to {:g}: beyond "
                     "its ends the rates are extrapolated",
                     from, to, intensity.levels.front(), intensity.levels.back()));
+  const bool is_in_g = intensity.measure.unit() == std::string("g");
+  for (const std::string& text : {is_in_g ? improbable_rates(curve) : "",
+                                  improbable_design_life(study.config.hazard->design_life_years)})
+    if (!text.empty()) warnings.push_back(text);
   if (study.mce_level == 0.0) return warnings;
   const bool by_sds = intensity.measure == IntensityMeasure::sds_g;
   const std::string text =
