@@ -118,10 +118,6 @@ class NumberFile {
   bool any_weight_ = false;
 };
 
-}  // namespace
-
-namespace {
-
 /// Spreadsheets write empty cells behind the last column, and rows of them. Of a row that holds
 /// something the first `width` cells stay.
 void drop_empty_end(Cells& cells, std::size_t width) {
