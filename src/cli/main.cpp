@@ -14,6 +14,7 @@
 #include "glissade/parallel/threads.hpp"
 #include "glissade/parallel/together.hpp"
 #include "help_formatter.hpp"
+#include "put.hpp"
 #include "say.hpp"
 
 namespace {
@@ -110,7 +111,7 @@ ExitStatus run_program(int argc, char** argv, const glissade::Communicator& worl
     if (error.get_exit_code() == 0) {       // --help, --version
       std::ostringstream text;
       program.exit(error, text);
-      if (world.is_root()) glissade::cli::write_result(text.str());
+      if (world.is_root()) glissade::cli::put_text(text.str());
       return {};
     }
     const auto [reached, name] = reached_command(program);
