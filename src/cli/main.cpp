@@ -4,6 +4,7 @@
 #include <tbb/task_arena.h>
 
 #include <csignal>
+#include <new>
 #include <sstream>
 #include <string_view>
 
@@ -134,6 +135,18 @@ int end_with(const ExitStatus& ending) {
   }
 }
 
+/// The same of the exception that is being handled, also where no memory is left for its message.
+int end_with_exception(int rank) {
+  try {
+    ExitStatus ending = glissade::exit_status_of_exception();
+    if (rank > 0) ending.message = fmt::format("rank {}: {}", rank, ending.message);
+    return end_with(ending);
+  } catch (const std::bad_alloc&) {
+    glissade::cli::say_text("glissade: there is not enough memory for this\n");
+    return 2;
+  }
+}
+
 /// The other commands are for one process.
 bool is_for_all_ranks(std::string_view command) {
   return command == "run" || command == "merge" || command == "check" || command == "clearance";
@@ -156,9 +169,7 @@ int run_on(const glissade::Communicator& world, int argc, char** argv) {
     const ExitStatus ending = run_program(argc, argv, world);
     return world.is_root() ? end_with(ending) : ending.status;
   } catch (...) {
-    ExitStatus ending = glissade::exit_status_of_exception();
-    if (world.rank() > 0) ending.message = fmt::format("rank {}: {}", world.rank(), ending.message);
-    const int status = end_with(ending);
+    const int status = end_with_exception(world.rank());
     if (world.size() > 1) world.abort(status);  // the others would wait for this one for ever
     return status;
   }
@@ -174,6 +185,6 @@ int main(int argc, char** argv) {
     if (is_for_all_ranks(argc > 1 ? argv[1] : "run")) return run_on(mpi.world(), argc, argv);
     return mpi.world().is_root() ? run_on(glissade::Communicator::serial(), argc, argv) : 0;
   } catch (...) {
-    return end_with(glissade::exit_status_of_exception());
+    return end_with_exception(0);
   }
 }
