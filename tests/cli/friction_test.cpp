@@ -196,7 +196,7 @@ TEST_F(Friction, of_a_sheet_of_values_is_evaluated_and_serves_a_study) {
 }
 
 // The tolerance factor of few tests did not converge where long double has fewer digits (valgrind).
-TEST(Friction, rests_on_no_arithmetic_beyond_double) {
+TEST_F(Friction, rests_on_no_arithmetic_beyond_double) {
   const Finished symbols = run_shell("nm -C " GLISSADE_PROGRAM " | grep boost::");
   ASSERT_EQ(symbols.status, 0) << symbols.err;
   ASSERT_THAT(symbols.out, testing::HasSubstr("boost::math::"));

@@ -54,7 +54,7 @@ TEST_F(ReportOfStudy, says_what_a_run_of_that_study_says) {
     return child.out.substr(0, child.out.rfind("\nReport "));
   };
   const std::string with = summary(report(text, "with"));
-  EXPECT_THAT(one_line(with), states("it is not that of the site", "outside the range of SEAOC"));
+  EXPECT_THAT(one_line(with), states("it is not that of the site", "outside the range of the prescribed value of SEAOC"));
   EXPECT_THAT(with, testing::Not(states("no [standards]")));
   EXPECT_THAT(run.out, testing::HasSubstr(with));
   const std::string without =

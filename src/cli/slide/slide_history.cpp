@@ -117,15 +117,18 @@ SlideHistory on_known_roof(const SlideOptions& o, const Motion& motion, double f
   return h;
 }
 
+void check_coupling(bool is_regular) {
+  if (is_regular) return;
+  throw InputError({"--mass-ratio",
+                    "with this friction and slope the array locks against the roof it moves: the "
+                    "coupled equations have no solution",
+                    "give a smaller mass ratio, friction or slope", ""});
+}
+
 /// One axis; building and array are coupled, or the building yields.
 SlideHistory on_coupled_building(const SlideOptions& o, const Motion& motion, double factor) {
   const Block block = block_of(o);
-  if (!coupling_is_regular(block, o.c.mass_ratio)) {
-    throw InputError({"--mass-ratio",
-                      "with this friction and slope the array locks against the roof it moves: the "
-                      "coupled equations have no solution",
-                      "give a smaller mass ratio, friction or slope", ""});
-  }
+  check_coupling(coupling_is_regular(block, o.c.mass_ratio));
   const CoupledBuilding building{building_axes(o.c)[0], o.c.mass_ratio,
                                  strength_of(o.c, o.c.period_s, nullptr)};
   const GroundMotion ground = ground_of(motion);
@@ -156,6 +159,7 @@ SlideHistory on_coupled_building(const SlideOptions& o, const Motion& motion, do
 SlideHistory in_full_model(const SlideOptions& o, const Motion& motion, double factor) {
   const TwoAxisBlock block = two_axis_block(o.c);
   const BiaxialBuilding building = biaxial_building(o.c, nullptr);
+  check_coupling(coupling_is_regular(block, building));
   const Block weakest{.friction = std::min(block.friction.along, block.friction.across),
                       .slope_rad = block.slope_rad};
   const BuildingGround ground = building_ground(
