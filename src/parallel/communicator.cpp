@@ -132,7 +132,7 @@ void check_window(int code) {
        "make room in " + folder + ", or in the folder of temporary files (TMPDIR)", ""});
 }
 
-/// Errors of MPI end all ranks, with words that are MPI's own; in this scope they are returned.
+/// Errors of MPI end all ranks, with messages of MPI; in this scope they are returned.
 class ReturnedErrors {
  public:
   explicit ReturnedErrors(MPI_Comm group) : group_(group) {
@@ -440,7 +440,7 @@ void leave_out_networks_on_one_machine() {
     setenv("OMPI_MCA_pml", "ob1", /*overwrite=*/0);
 }
 
-/// Where /dev/shm has no room for its files, Open MPI ends without a word of it.
+/// Where /dev/shm has no room for its files, Open MPI ends without a message.
 void leave_a_full_shared_memory() {
   constexpr double bytes_of_rank = 5e6;
   const char* const here = std::getenv("OMPI_COMM_WORLD_LOCAL_SIZE");

@@ -52,7 +52,7 @@ TEST(Init, a_study_is_of_the_case) {
   EXPECT_THAT(child.out, states("O'Brien \"A\""));
 }
 
-// Issue 34: levels that missed both by little gave no probability at either, without a word.
+// Issue 34: levels that missed both by little gave no probability at either, without a note.
 TEST(Init, puts_the_levels_of_DBE_and_MCE_in) {
   for (const std::vector<std::string>& site :
        {std::vector<std::string>{},  // the suite's own target

@@ -82,8 +82,8 @@ RunLock::~RunLock() {
 void RunLock::give_back() {
   if (fd_ < 0) return;
   const JournalNames names(folder_);
-  // Removed while it is held: nobody else takes it then. On a network file system an open file
-  // stays in its folder until it is closed.
+  // Removed before the lock is given back: nobody else takes it then. On a network file system an
+  // open file stays in its folder until it is closed.
   const bool is_alone = files_in(names.folder) == std::vector{names.lock};
   if (is_alone) remove_file(names.lock);
   ::close(fd_);

@@ -9,7 +9,7 @@
 namespace glissade {
 
 /// An HDF5 file while it is written, through a driver of our own. libhdf5 never meets a write that
-/// fails: it would lose data without a word, or crash. The first failure is kept here, nothing is
+/// fails: it could lose data without an error, or crash. The first failure is kept here, nothing is
 /// written after it, and throw_failure() reports it.
 class Hdf5OutputFile {
  public:
