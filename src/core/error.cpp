@@ -127,7 +127,7 @@ std::string in_lower_case(std::string text) {
   return text;
 }
 
-/// asce7_22 and asce7_10: two numbers, no slip of the pen.
+/// asce7_22 and asce7_10: two numbers, no misspelling.
 bool differ_in_digits_only(const std::string& a, const std::string& b) {
   const auto is_digit = [](char c) { return c >= '0' && c <= '9'; };
   return std::ranges::equal(a, b,

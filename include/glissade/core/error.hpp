@@ -46,7 +46,7 @@ class ProblemList {
 /// A word of a command line that a user may copy: in quotes where the shell requires them.
 std::string quoted_for_shell(const std::string& word);
 
-/// The candidate that `word` is a slip of the pen or a synonym of, the nearest by edit distance; ""
+/// The candidate that `word` is a misspelling or a synonym of, the nearest by edit distance; ""
 /// if none is.
 std::string nearest_word(const std::string& word, const std::vector<std::string>& candidates);
 

@@ -42,7 +42,6 @@ class SharedList {
     if (i >= size()) throw std::out_of_range("SharedList::at");
     return values_[i];
   }
-  operator std::span<const T>() const { return values_; }
   friend bool operator==(const SharedList& one, const SharedList& other) {
     return std::ranges::equal(one.values_, other.values_);
   }

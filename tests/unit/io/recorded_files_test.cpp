@@ -44,7 +44,7 @@ class Recorded : public testing::Test {
   fs::path folder_;
 };
 
-double peak_g(const Samples& acceleration_mps2) {
+double peak_g(std::span<const double> acceleration_mps2) {
   double peak = 0.0;
   for (const double a : acceleration_mps2) peak = std::max(peak, std::abs(a));
   return peak / standard_gravity_mps2;
