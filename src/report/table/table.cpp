@@ -115,7 +115,7 @@ std::string csv_cell(const Column& column, const Cell& cell) {
 
 /// A text may stand anywhere ("-"); a number only in a column of numbers, and an interval only in
 /// one that has them.
-bool belongs_in(const Column& column, const Cell& cell) {
+[[maybe_unused]] bool belongs_in(const Column& column, const Cell& cell) {
   if (std::holds_alternative<std::string>(cell)) return true;
   const auto* estimate = std::get_if<SignedEstimate>(&cell);
   const bool no_interval = estimate == nullptr || (std::isnan(estimate->interval.low) &&
