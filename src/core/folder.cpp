@@ -1,7 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "glissade/core/folder.hpp"
 
+#include <dirent.h>
+
 #include <algorithm>
+#include <cerrno>
+#include <memory>
+#include <string_view>
 #include <system_error>
 
 #include "glissade/core/error.hpp"
@@ -11,15 +16,21 @@ namespace glissade {
 
 namespace fs = std::filesystem;
 
+// By the calls of the system: std::filesystem::directory_iterator ends the program where memory
+// ends (libstdc++ 12).
 std::vector<fs::path> files_in(const fs::path& folder) {
+  std::error_code ignored;
+  if (!fs::exists(folder, ignored)) return {};
+  const std::unique_ptr<DIR, int (*)(DIR*)> list(opendir(folder.c_str()), closedir);
+  if (list == nullptr) throw_io_error(folder, "cannot be listed", errno);
   std::vector<fs::path> files;
-  std::error_code error, ignored;
-  for (fs::directory_iterator entry(folder, error), end; !error && entry != end;
-       entry.increment(error))
-    files.push_back(entry->path());
-  // Without the memory to list it a folder with files is not one without.
-  if (error && fs::exists(folder, ignored))
-    throw_io_error(folder, "cannot be listed", error.value());
+  errno = 0;
+  while (const dirent* entry = readdir(list.get())) {
+    const std::string_view name = entry->d_name;
+    if (name != "." && name != "..") files.push_back(folder / name);
+    errno = 0;
+  }
+  if (errno != 0) throw_io_error(folder, "cannot be listed", errno);
   std::ranges::sort(files);
   return files;
 }
