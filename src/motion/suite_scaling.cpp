@@ -8,6 +8,7 @@
 
 #include "glissade/core/contract.hpp"
 #include "glissade/core/error.hpp"
+#include "glissade/core/quantile.hpp"
 #include "glissade/motion/intensity.hpp"
 #include "spectral_scaling.hpp"
 
@@ -88,6 +89,17 @@ double suite_average_factor(const Suite& suite, const std::function<double(doubl
                             const SpectrumRows& walters_spectra_g) {
   refuse_improper(suite);
   return average_factor(suite, target_sa_g, walters_periods_s(), walters_spectra_g);
+}
+
+void normalise_by_pgv(Suite& suite) {
+  refuse_improper(suite);
+  std::vector<double> pgv_mps;
+  for (const Motion& motion : suite.motions)
+    pgv_mps.push_back(motion.scale *
+                      horizontal_pgv_mps(motion, HorizontalCombination::geometric_mean));
+  const double median_mps = quantile_of(pgv_mps, 0.5);
+  for (std::size_t i = 0; i < pgv_mps.size(); ++i)
+    suite.motions[i].scale *= median_mps / pgv_mps[i];
 }
 
 namespace {

@@ -9,7 +9,7 @@
 namespace glissade {
 
 /// The version of the results file's layout; a reader refuses others.
-inline constexpr int results_format_version = 14;
+inline constexpr int results_format_version = 15;
 
 /// Writes an HDF5 file that holds all of `results` and nothing else: the same results give the same
 /// bytes. Written to a temporary name beside `file`, read back and compared, then renamed. Throws

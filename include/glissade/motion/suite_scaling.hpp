@@ -40,6 +40,12 @@ double suite_average_factor(const Suite& suite, const std::function<double(doubl
 double suite_average_factor(const Suite& suite, const std::function<double(double)>& target_sa_g,
                             const SpectrumRows& walters_spectra_g);
 
+/// Multiplies the scale of each motion by the median PGV of the suite over its own, so that motions
+/// differ by their nature and not by how strong their earthquakes were (FEMA P-695, 2009, A.8,
+/// recalled). PGV: geometric mean of both horizontals, times the motion's scale. Throws InputError as
+/// suite_average_factor does.
+void normalise_by_pgv(Suite& suite);
+
 /// An average spectrum over its target, at a period.
 struct SpectralRatio {
   double ratio = std::numeric_limits<double>::quiet_NaN();

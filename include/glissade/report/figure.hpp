@@ -62,7 +62,9 @@ struct DataSeries {
   std::string name;          ///< of its numbers in NAME.dat, and in the titles of its points
   std::string label;         ///< in the key; empty: it has none
   std::vector<double> x, y;  ///< a gap where one is not finite; without numbers: in the key alone
-  std::vector<double> low, high;  ///< of bands and bars, in place of y
+  std::vector<double> low, high;  ///< of bands and bars, in place of y; drawn to the edge where
+                                  ///< infinite
+  double aside = 0.0;             ///< added to x where it is drawn, not in NAME.dat
 
   void add(double x_value, double y_value);
   /// Of bands and bars; nothing where an end is NaN.

@@ -133,6 +133,7 @@ struct StudyConfig : Analyses::InStudy {
   std::string hashed_text;     ///< the same with all quantities in the units of their keys
   std::vector<std::filesystem::path> suite_files;  ///< one at least, resolved
   std::vector<std::string> records;                ///< ids of the records to run; empty: all
+  bool normalise_by_pgv = false;                   ///< each suite, of those records
   IntensityConfig intensity;
   ModelConfig model;
   Quantities quantities;

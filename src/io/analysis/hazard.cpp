@@ -31,11 +31,15 @@ void exchange_threshold_rates(const Archive& archive, Rows& rows) {
          &ThresholdRate::life_probability);
 }
 
+constexpr Label below_share{
+    "-", "share of histories that exceed it at the lowest level; above 0: a lower bound"};
+
 template <class Archive, class Rows>
 void exchange_displacement_rates(const Archive& archive, Rows& rows) {
   const Columns column(archive, rows, "displacement_m");
   column("displacement_m", {"m", "displacement in plan"}, &DisplacementRate::displacement_m);
   column("annual_rate", {"1/year", "annual rate of exceeding it"}, &DisplacementRate::annual_rate);
+  column("below_share", below_share, &DisplacementRate::below_share);
 }
 
 template <class Archive, class Rows>
@@ -44,9 +48,10 @@ void exchange_targets(const Archive& archive, const IntensityScale& scale, Rows&
   column("annual_rate", {"1/year", "target rate"}, &TargetDisplacement::annual_rate);
   column("displacement_m",
          {"m",
-          "displacement exceeded at that rate; inf: beyond the levels; the lowest of the "
-          "curve: that or less"},
+          "displacement exceeded at that rate; inf: beyond the levels, nan: below them; the lowest "
+          "of the curve: that or less"},
          &TargetDisplacement::displacement_m);
+  column("below_share", below_share, &TargetDisplacement::below_share);
   column("intensity" + scale.suffix, {scale.unit, "intensity that shaking exceeds at that rate"},
          &TargetDisplacement::intensity);
 }
@@ -77,6 +82,7 @@ void exchange_prescribed_rates(const Archive& archive, Rows& rows) {
   const Columns column(archive, rows, "standard");
   column("annual_rate", {"1/year", "annual rate of exceeding it; inf: slides freely"},
          &PrescribedRate::annual_rate);
+  column("below_share", below_share, &PrescribedRate::below_share);
 }
 
 constexpr NumberRule annual_rate_rule{"above 0, at most 1",
@@ -145,7 +151,8 @@ AnalysisInFiles HazardAnalysis::in_files() {
                &HazardRun::events);
         column("from_intensity" + scale.suffix, {scale.unit, "below it no earthquake is counted"},
                &HazardRun::from_intensity);
-        column("moving_share", {"-", "share of histories that slide there already"},
+        column("moving_share",
+               {"-", "share of histories that slide there already; above 0: slip is a lower bound"},
                &HazardRun::moving_share);
         for (auto& run : hazard.runs) {
           expect_file_name(run.label);

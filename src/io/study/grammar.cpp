@@ -41,6 +41,9 @@ void add_head(std::vector<GrammarKey>& keys) {
        {"suite", "file", "path", "required (or files)", "suite file, relative to the study file"},
        {"suite", "files", "list of paths", "none", "several suites in one study"},
        {"suite", "records", "list of ids", "all", "the records to run"},
+       {"suite", "normalise", "name", "none",
+        "pgv: each record is scaled to the suite's median PGV first (FEMA P-695, A.8, recalled): what "
+        "remains between records is not how strong their earthquakes were"},
        {"intensity", "measure", "name", "required", measures()},
        {"intensity", "levels", list_value, "required",
         "the levels, increasing, in the measure's unit"},

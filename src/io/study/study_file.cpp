@@ -96,6 +96,7 @@ void read_suites(const TomlTable& table, StudyConfig& study) {
                    "give its path relative to the study file");
     }
   }
+  study.normalise_by_pgv = table.choice<bool>("normalise", {{"pgv", true}}).value_or(false);
   study.records = table.texts("records").value_or(study.records);
   if (table.is_array("records") && study.records.empty())
     table.report("records", "suite.records is empty", "name at least one record, or leave it out");

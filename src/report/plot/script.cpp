@@ -5,6 +5,7 @@
 #include <cctype>
 #include <cmath>
 
+#include "glissade/core/finite.hpp"
 #include "glissade/core/wrap.hpp"
 #include "glissade/report/format.hpp"
 #include "plot/labels.hpp"
@@ -139,15 +140,22 @@ void add_key_entry(Script& script, DataSeries::Kind kind, const Look& look,
 
 /// All series, lowest first; `index` counts the blocks of the data file.
 void add_plot(Script& script, const FileName& name, const Panel& panel, int& index) {
+  // What is infinite leaves the panel.
+  script.add("shown(c) = stringcolumn(c) eq 'inf' ? {} : column(c)\n",
+             panel.y.high + 9.0 * (panel.y.high - panel.y.low));
   script.add("plot \\\n  NaN notitle");  // axes, even where there is nothing to draw
   for (const DataSeries& series : panel.series) {
     if (!has_numbers(series)) continue;
     const bool bars = series.kind == DataSeries::Kind::bars,
                band = series.kind == DataSeries::Kind::band;
-    script.add(", \\\n  '{}.dat' index {} using {} ", name, index++,
-               band   ? Word("1:2:3")
-               : bars ? Word("1:2:(0):($3-$2)")
-                      : Word("1:2"));
+    script.add(", \\\n  '{}.dat' index {} using ", name, index++);
+    if (series.aside == 0.0)
+      script.add("1");
+    else
+      script.add("($1+({}))", series.aside);
+    script.add("{} ", band   ? Word(":(shown(2)):(shown(3))")
+                      : bars ? Word(":2:(0):(shown(3)-$2)")
+                             : Word(":2"));
     add_style(script, series.kind, series.look, false);
   }
   for (const DataSeries& series : panel.series) {
@@ -352,8 +360,11 @@ std::string data_of(const Figure& figure) {
           data += "\n";  // the line ends; the next row starts another
           continue;
         }
-        data += column(series.x[i]) + " " + column(spread ? series.low.at(i) : series.y.at(i));
-        data += (spread ? " " + column(series.high.at(i)) : "") + "\n";
+        const auto end = [&](double v) { return v == infinity ? "inf" : column(v); };
+        data += column(series.x[i]) + " ";
+        data +=
+            spread ? end(series.low.at(i)) + " " + end(series.high.at(i)) : column(series.y.at(i));
+        data += "\n";
       }
     }
   }

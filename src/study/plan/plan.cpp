@@ -11,6 +11,7 @@
 #include "glissade/core/contract.hpp"
 #include "glissade/core/hash.hpp"
 #include "glissade/core/mathematics.hpp"
+#include "glissade/motion/suite_scaling.hpp"
 #include "plan/keep_records.hpp"
 #include "plan/plan_check.hpp"
 #include "plan/plan_notes.hpp"
@@ -269,6 +270,7 @@ Plan begin_plan(const StudyConfig& config, std::vector<Suite> suites) {
   plan.suites = std::move(suites);
   for (std::size_t s = 0; s < plan.suites.size(); ++s) {
     keep_records({config.file, plan.config.suite_files[s], config.records}, plan.suites[s]);
+    if (config.normalise_by_pgv) normalise_by_pgv(plan.suites[s]);
     for (std::size_t m = 0; m < plan.suites[s].motions.size(); ++m) plan.records.push_back({s, m});
   }
   check_fit(plan.config, plan.suites);

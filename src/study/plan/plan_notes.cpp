@@ -39,6 +39,10 @@ bool has_use(const StudyConfig& config, VerticalChoice use) {
 std::vector<std::string> notes_on_records(const Plan& plan) {
   const std::size_t records = plan.records.size();
   std::vector<std::string> notes;
+  if (plan.config.normalise_by_pgv)
+    notes.emplace_back(
+        "records are scaled to the median PGV of their suite first (suite.normalise; FEMA P-695, "
+        "A.8, recalled)");
   const std::size_t flat =
       count_records(plan, [](const Motion& m) { return m.vertical_mps2.empty(); });
   if (has_use(plan.config, VerticalChoice::if_available) && flat > 0) {

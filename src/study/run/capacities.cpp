@@ -97,7 +97,7 @@ void find_capacities(const StudyConfig& config, std::span<const std::unique_ptr<
     fields.search_failed.push_back(search.count.failed > 0 ? 1 : 0);
     count.searched += search.count.integrated;
     count.failed += search.count.failed;
-    if (search.count.integrated == 0) ++count.decided;
+    if (search.count.integrated == 0 && search.count.from_curve == 0) ++count.decided;
   }
 }
 

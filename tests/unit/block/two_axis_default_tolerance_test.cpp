@@ -28,6 +28,7 @@ std::vector<double> without_largest(std::vector<double> x) {
 }
 
 constexpr int scenes_of_a_roof = 25 / test::slowdown;
+constexpr double largest_median = test::slowdown == 1 ? 3e-7 : 6e-7;  // of few scenes it scatters
 
 /// Of the scenes on each of four roofs, those that slide more than 10 um.
 Errors errors_of(Law law) {
@@ -52,8 +53,8 @@ TEST(default_tolerance, keeps_the_error_that_the_headers_state) {
   for (const Law law : test::all_laws) {
     const Errors errors = errors_of(law);
     EXPECT_GT(errors.scalar.size(), 60u / test::slowdown);
-    EXPECT_LE(median(errors.scalar), 3e-7);
-    EXPECT_LE(median(errors.lanes), 3e-7);
+    EXPECT_LE(median(errors.scalar), largest_median);
+    EXPECT_LE(median(errors.lanes), largest_median);
     if (law == Law::static_friction) {  // slip is discontinuous: one in a hundred may differ
       EXPECT_LE(largest(without_largest(errors.scalar)), 2e-5);
       EXPECT_LE(largest(without_largest(errors.lanes)), 2e-5);

@@ -97,6 +97,28 @@ TEST(suite_average_factor, lifts_the_average_to_the_target_and_no_further) {
   EXPECT_NEAR(std::ranges::min(ratios), 1.0, 1e-13);
 }
 
+// Amplitude goes, shape stays: FEMA P-695's factors are the median PGV over each record's own.
+TEST(normalise_by_pgv, gives_every_motion_the_median_velocity_of_the_suite) {
+  Suite suite = made_up_suite();
+  suite.motions[1].scale = 2.5;
+  const auto pgv_mps = [](const Motion& motion) {
+    return motion.scale * horizontal_pgv_mps(motion, HorizontalCombination::geometric_mean);
+  };
+  std::vector<double> before_mps;
+  for (const Motion& motion : suite.motions) before_mps.push_back(pgv_mps(motion));
+  ASSERT_GT(std::ranges::max(before_mps), 1.01 * std::ranges::min(before_mps));
+  std::ranges::sort(before_mps);
+  ASSERT_EQ(before_mps.size(), 3u);
+  normalise_by_pgv(suite);
+  for (const Motion& motion : suite.motions)
+    EXPECT_NEAR(pgv_mps(motion) / before_mps[1], 1.0, 1e-14);
+  const double scale = suite.motions[0].scale;
+  normalise_by_pgv(suite);
+  EXPECT_NEAR(suite.motions[0].scale / scale, 1.0, 1e-14);
+  suite.motions[2].horizontal_mps2 = {std::vector<double>(10), std::vector<double>(10)};
+  EXPECT_THROW(normalise_by_pgv(suite), InputError);
+}
+
 TEST(suite_average_factor, at_period_zero_compares_the_srss_of_the_peaks) {
   Suite suite;
   suite.motions.resize(1);

@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 
 #include <algorithm>
+#include <limits>
 #include <sstream>
 
 #include "facts.hpp"
@@ -17,6 +18,7 @@ namespace {
 
 using test::states;
 using testing::Contains;
+using testing::HasSubstr;
 
 /// 12 records, capacities C sqrt(c / 0.3 m), C of median 0.9 g.
 Results made_up_hazard() {
@@ -67,10 +69,38 @@ TEST(hazard_report, compares_what_is_prescribed_with_the_displacement_of_1_perce
   ASSERT_TRUE(has_table());
   const Table table = table_of(r, "hazard_standards");
   const double target_m = 0.1 * std::sqrt(1e-3 / rate_of(0.01, 50.0));
-  EXPECT_NEAR(std::get<double>(table.rows[0][7]), target_m, 1e-12);
+  EXPECT_NEAR(std::get<SignedEstimate>(table.rows[0][7]).value, target_m, 1e-12);
   EXPECT_NEAR(std::get<double>(table.rows[0][8]), target_m / 0.5, 1e-12);
   EXPECT_THAT(answer_sentences(r), Contains(states("SEAOC PV1-2012", format_length(0.5), "4.9 %",
                                                    format_length(target_m))));
+}
+
+// Histories slide at the lowest level: what is read there is a lower bound, in every table and
+// sentence.
+TEST(hazard_report, marks_what_rests_on_shaking_below_the_levels) {
+  Results r = made_up_hazard();
+  for (HazardRun& run : r.hazard->runs) {
+    run.curve = {{0.1, {1e-3, {}}, 0.4}, {1.0, {1e-5, {}}, 0.2}};
+    run.targets = {{2e-3, {std::numeric_limits<double>::quiet_NaN(), {}}, 0.1, 0.4},
+                   {1e-4, {0.3, {}}, 0.5, 0.2}};
+    run.prescribed = {
+        {Standard::seaoc_pv1_2012, 1.0, {0.5, Provenance::checked, ""}, {1e-3, {}}, 0.2}};
+    run.moving_share = 0.4;
+  }
+  for (const char* name : {"hazard_curve", "hazard_targets", "hazard_standards", "design_life",
+                           "design_life_distribution"}) {
+    const std::string csv = to_csv(table_of(r, name));
+    EXPECT_THAT(csv, HasSubstr("# > is a lower bound")) << name;
+    EXPECT_THAT(csv, HasSubstr("below_share")) << name;
+  }
+  const Table curve = table_of(r, "hazard_curve");
+  EXPECT_EQ(cell_text(curve.columns[2], curve.rows[0][2]).substr(0, 2), "> ");
+  EXPECT_THAT(answer_sentences(r), Contains(states("is not known", "lowest level already")));
+  EXPECT_THAT(answer_sentences(r), Contains(states("or more", "20 %", "begin the levels lower")));
+  EXPECT_THAT(answer_sentences(r),
+              Contains(states("SEAOC PV1-2012", "at least 4.9 %", "at least")));
+  for (const DataSeries& line : figure_named(make_figures(r), "hazard").panels.at(0).series)
+    EXPECT_TRUE(line.x.empty());
 }
 
 TEST(hazard_report, draws_decades_of_rates_above_zero_only) {

@@ -289,6 +289,7 @@ WorkCount expect_skips_change_nothing(const Plan& plan) {
   EXPECT_EQ(done.below_yield, 0u);
   EXPECT_EQ(done.from_curve, 0u);
   EXPECT_EQ(done.beyond, 0u);
+  EXPECT_EQ(done.decided, less.decided);  // a point of a curve is a step of a search
   EXPECT_GE(done.integrated, less.integrated);
   // A roof for every history, and one to begin a case with.
   EXPECT_GE(done.roofs, done.integrated + done.searched);

@@ -128,17 +128,21 @@ TEST(hazard, of_a_history_that_slides_freely_has_no_rate) {
   EXPECT_EQ(run.life.at(0).median_m.value, infinity);
 }
 
-// The root of displacement is linear in intensity from 0: capacity of d is sqrt(d).
+// The root of displacement is linear in intensity: capacity of d is sqrt(d), from the lowest level
+// on, where 0.01 m is exceeded.
 TEST(hazard, curve_falls_with_displacement_and_gives_the_displacement_of_a_rate) {
-  ByHand study(3, 1, {0.5, 1.0, 4.0}, {0.3});
+  ByHand study(3, 1, {0.1, 0.5, 1.0, 4.0}, {0.3});
   for (std::size_t record = 0; record < 3; ++record) {
     study.capacity(record, 0, 0) = std::sqrt(0.3);
-    for (std::size_t level = 0; level < 3; ++level)
+    for (std::size_t level = 0; level < 4; ++level)
       study.peak_m(record, 0, level) = std::pow(study.results.levels[level], 2.0);
   }
   const HazardRun run = study.run();
-  for (std::size_t i = 0; i < run.curve.size(); ++i) {
-    EXPECT_NEAR(run.curve[i].annual_rate.value * run.curve[i].displacement_m, 1e-3, 1e-13);
+  for (const DisplacementRate& row : run.curve) {
+    const bool is_below = row.displacement_m < 0.01;
+    EXPECT_EQ(row.below_share, is_below ? 1.0 : 0.0);
+    EXPECT_TRUE(!is_below || std::isnan(row.annual_rate.interval.low));
+    EXPECT_NEAR(row.annual_rate.value * std::max(row.displacement_m, 0.01), 1e-3, 1e-13);
   }
   EXPECT_TRUE(std::ranges::is_sorted(run.curve, std::greater<>(), [](const DisplacementRate& row) {
     return row.annual_rate.value;
@@ -146,8 +150,32 @@ TEST(hazard, curve_falls_with_displacement_and_gives_the_displacement_of_a_rate)
   ASSERT_EQ(run.targets.size(), 2u);
   EXPECT_NEAR(run.targets[0].displacement_m.value, 0.7, 1e-12);
   EXPECT_NEAR(run.targets[1].displacement_m.value, 2.475, 1e-12);
+  EXPECT_EQ(run.targets[1].below_share, 0.0);
   EXPECT_NEAR(run.targets[1].intensity, std::sqrt(2.475), 1e-13);
   EXPECT_NEAR(run.targets[1].displacement_m.interval.high, 2.475, 1e-12);
+}
+
+// One of three histories slides 0.2 m at the lowest level already: what it does in weaker shaking
+// is not known, and nothing is read between there and no shaking.
+TEST(hazard, rates_of_displacements_below_the_lowest_level_are_lower_bounds) {
+  ByHand study(3, 1, {1.0, 2.0}, {0.3});
+  study.peak_m(0, 0, 0) = 0.2;
+  for (std::size_t record = 0; record < 3; ++record) study.peak_m(record, 0, 1) = 0.8;
+  study.config.standards.compare = {Standard::asce7_16};
+  study.config.hazard->sds_g = 1.0;
+  study.config.hazard->target_rates_per_year = {0.01, 5e-4};
+  const HazardRun run = study.run();
+  const DisplacementRate& least = run.curve.front();  // 1 mm
+  EXPECT_DOUBLE_EQ(least.below_share, 1.0 / 3.0);
+  const double others = 1e-3 * std::pow(1.0 + std::sqrt(0.001 / 0.8), -2.0);
+  EXPECT_NEAR(least.annual_rate.value, (1e-3 + 2.0 * others) / 3.0, 1e-16);
+  EXPECT_TRUE(std::isnan(least.annual_rate.interval.high));
+  EXPECT_EQ(run.curve.back().below_share, 0.0);
+  EXPECT_TRUE(std::isnan(run.targets[0].displacement_m.value));
+  EXPECT_GT(run.targets[0].below_share, 0.0);
+  EXPECT_TRUE(std::isfinite(run.targets[1].displacement_m.value));
+  EXPECT_EQ(run.prescribed.at(0).below_share, 0.0);
+  EXPECT_DOUBLE_EQ(run.moving_share, 1.0 / 3.0);
 }
 
 TEST(hazard, displacement_of_a_rate_beyond_the_levels_is_infinite) {

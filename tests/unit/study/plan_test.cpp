@@ -482,6 +482,12 @@ TEST(plan, runs_the_records_a_study_names) {
   ASSERT_EQ(plan.records.size(), 2u);
   EXPECT_EQ(plan.motion(0).id, "motion0");
   EXPECT_EQ(plan.motion(1).id, "motion2");
+  EXPECT_EQ(plan.motion(1).scale, 1.0);
+  config.normalise_by_pgv = true;  // of two records: to the mean of both
+  const Plan normalised = small_plan(config);
+  EXPECT_THAT(normalised.notes, testing::Contains(testing::HasSubstr("median PGV")));
+  EXPECT_NEAR(1.0 / normalised.motion(0).scale + 1.0 / normalised.motion(1).scale, 2.0, 1e-13);
+  EXPECT_NE(normalised.motion(0).scale, 1.0);
   config.records = {"motoin1"};
   EXPECT_THROW(small_plan(config), InputError);
 }

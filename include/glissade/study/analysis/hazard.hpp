@@ -38,18 +38,23 @@ struct ThresholdRate {
 };
 
 /// The annual rate of a displacement: as of a threshold, with the capacity of each history
-/// interpolated between levels and thresholds, linear in the root of its displacement.
+/// interpolated between levels and thresholds, linear in the root of its displacement. What happens
+/// below the levels is not known: a history that exceeds the displacement at the lowest one counts
+/// from there on, so that the rate is a lower bound, without an interval.
 struct DisplacementRate {
   double displacement_m = 0.0;
   Estimate annual_rate;
+  double below_share = 0.0;  ///< of the histories, so counted
 };
 
 /// The displacement that is exceeded at a given annual rate. Infinite where the levels do not reach
-/// so rare shaking; the lowest displacement of the curve where it is that or less.
+/// so rare shaking, NaN where they begin above such frequent shaking; the lowest displacement of
+/// the curve where it is that or less.
 struct TargetDisplacement {
   double annual_rate = 0.0;
   Estimate displacement_m;
-  double intensity = 0.0;  ///< that shaking exceeds at this rate
+  double intensity = 0.0;    ///< that shaking exceeds at this rate
+  double below_share = 0.0;  ///< as of DisplacementRate; above 0: the displacement is a lower bound
 };
 
 /// How often what a standard prescribes at the site's S_DS is exceeded: as of a displacement.
@@ -58,6 +63,7 @@ struct PrescribedRate {
   double sds_g = 0.0;
   Prescription prescribed;
   Estimate annual_rate;
+  double below_share = 0.0;  ///< as of DisplacementRate
 };
 
 enum class LifeQuantity {
@@ -86,7 +92,8 @@ struct HazardRun {
   std::vector<LifeDisplacement> life;  ///< by LifeQuantity
   double events = 0.0;                 ///< expected earthquakes in a life above `from_intensity`
   double from_intensity = 0.0;         ///< below it none is counted
-  double moving_share = 0.0;           ///< of histories that slide at `from_intensity` already
+  double moving_share = 0.0;  ///< of histories that slide at `from_intensity` already; above 0:
+                              ///< slip over the life is a lower bound
   std::vector<PrescribedRate> prescribed;  ///< empty where the study compares with none, or S_DS of
                                            ///< the site is not known
   std::vector<LifeQuantile> life_distribution;
@@ -102,12 +109,8 @@ struct HazardResults {
   std::vector<HazardRun> runs;    ///< as Results::runs
 };
 
-/// Where rates, which fall with displacement, come down to one: linear in logarithms; the first
-/// displacement where they begin below it, infinite where they end above it.
-double displacement_at(double rate, const std::vector<double>& displacements_m,
-                       const std::vector<double>& rates);
-/// By the run's curve.
-double displacement_at(double rate, const HazardRun& run);
+/// By the run's curve, linear in logarithms; without an interval and the intensity.
+TargetDisplacement target_displacement(double annual_rate, const HazardRun& run);
 
 /// Of rates that no site has, most probably no annual ones; "" of others. For intensities in g.
 std::string improbable_rates(const HazardCurve& curve);

@@ -33,7 +33,7 @@ Figure suite_figure(const Results& results) {
        of_classes ? "target spectrum, envelope over the site classes" : "target spectrum"});
 }
 
-std::string after_walters(const Results& results, int figure, const char* more = "") {
+std::string after_walters(const Results& results, int figure, const std::string& more = "") {
   return fmt::format("After Walters et al. (2012), Fig. {}. {}{}.", figure,
                      what_is_averaged(results), more);
 }
@@ -139,7 +139,7 @@ Figure level_figure(const Results& results) {
           after_walters(results, 14), family.displacements()};
 }
 
-/// Fig. 15: displacement over R, relative to the elastic building's.
+/// Fig. 15: displacement over R, relative to that of the reference strength.
 Figure yielding_figure(const Results& results) {
   const ConditionGrid& grid = results.conditions->grid;
   Family family(results, "Response modification R (0: elastic)", grid.response_modification);
@@ -147,18 +147,22 @@ Figure yielding_figure(const Results& results) {
   for (std::size_t i = 0; i < buildings.size(); ++i) {
     std::vector<std::vector<double>> ratios;
     for (const Condition& at : along(grid, response_modification, buildings[i]))
-      ratios.push_back(ratios_by_orientation(results, {}, at, buildings[i]));
+      ratios.push_back(
+          ratios_by_orientation(results, {}, at, with_reference_strength(grid, buildings[i])));
     family.add_numbers("building of " + label_of(grid, period, i), family_look(i, buildings.size()),
                        ratios);
   }
-  family.add_level(1.0, "elastic building", look(Role::reference));
+  const std::string reference =
+      label_of(grid, response_modification, with_reference_strength(grid, buildings.front()));
+  family.add_level(1.0, reference, look(Role::reference));
   return {"yielding", "Effect of a yielding building on the displacement",
           below_text(results, {response_modification}),
           after_walters(
               results, 15,
-              ", over the same on a building that stays elastic. At R the building yields where "
-              "the design spectrum requires an elastic force R times as large; 0 is elastic"),
-          family.ratios("Displacement over that on an elastic building")};
+              ", over the same on the building of the horizontal line (" + reference +
+                  "). At R the building yields where the design spectrum requires an elastic force "
+                  "R times as large; 0 is elastic"),
+          family.ratios("Displacement over that of " + reference)};
 }
 
 /// Fig. 17: displacement over slope by period.

@@ -82,15 +82,16 @@ Figure permutations_figure(const Results& results) {
     look.symbol_size = 1.6;
     DataSeries points{DataSeries::Kind::points, look, label, label};
     DataSeries bars{DataSeries::Kind::bars, look, label + ": lowest and highest"};
+    // Side by side, so that bars do not hide one another.
+    points.aside = bars.aside =
+        0.16 * (static_cast<double>(m) - 0.5 * static_cast<double>(masses - 1));
     for (std::size_t i = 0; i < permutations.size(); ++i) {
       Condition at = shown_condition(grid);
       at[ConditionAxis::slope] = permutations[i].first;
       at[ConditionAxis::mass] = m;
       const OrientationRange range =
           over_orientations(results, {.slope_axis = permutations[i].second}, at, Periods::largest);
-      // Side by side, so that bars do not hide one another.
-      const double aside = 0.16 * (static_cast<double>(m) - 0.5 * static_cast<double>(masses - 1));
-      points.add(static_cast<double>(i) + aside, factor * range.median);
+      points.add(static_cast<double>(i), factor * range.median);
       bars.add(points.x.back(), {factor * range.lowest, factor * range.highest});
       top_m = std::max(top_m, factor * range.highest);
     }

@@ -143,23 +143,26 @@ std::string level_reading(const Results& r) {
 }
 
 std::string yielding_reading(const Results& r) {
+  const ConditionGrid& grid = r.conditions->grid;
   std::vector<std::string> buildings;
-  for (const Condition& elastic : shown_along(r.conditions->grid, ConditionAxis::period)) {
+  std::string name;
+  for (const Condition& building : shown_along(grid, ConditionAxis::period)) {
+    const Condition reference = with_reference_strength(grid, building);
+    name = label_of(grid, ConditionAxis::response_modification, reference);
     std::vector<std::string> parts;
-    for (const Condition& at :
-         along(r.conditions->grid, ConditionAxis::response_modification, elastic)) {
-      if (at[ConditionAxis::response_modification] == 0) continue;
-      parts.push_back(fmt::format(
-          "{} at R {:g}", ratio_text(ratios_by_orientation(r, {}, at, elastic)),
-          r.conditions->grid.response_modification[at[ConditionAxis::response_modification]]));
+    for (const Condition& at : along(grid, ConditionAxis::response_modification, building)) {
+      if (at[ConditionAxis::response_modification] ==
+          reference[ConditionAxis::response_modification])
+        continue;
+      parts.push_back(fmt::format("{} ({})",
+                                  ratio_text(ratios_by_orientation(r, {}, at, reference)),
+                                  label_of(grid, ConditionAxis::response_modification, at)));
     }
-    buildings.push_back(fmt::format("{}: {}",
-                                    label_of(r.conditions->grid, ConditionAxis::period, elastic),
+    buildings.push_back(fmt::format("{}: {}", label_of(grid, ConditionAxis::period, building),
                                     fmt::join(parts, ", ")));
   }
   return fmt::format(
-      "Displacement over that on an elastic building (median over the orientations and their "
-      "range). {}.",
+      "Displacement over that of {} (median over the orientations and their range). {}.", name,
       fmt::join(buildings, "; "));
 }
 

@@ -153,6 +153,13 @@ Places shown_along(const ConditionGrid& grid, ConditionAxis axis) {
   return along(grid, axis, shown_condition(grid));
 }
 
+Condition with_reference_strength(const ConditionGrid& grid, Condition at) {
+  const std::vector<double>& r = grid.response_modification;
+  const auto place = std::ranges::find(r, 1.0);
+  return at.with(ConditionAxis::response_modification,
+                 place == r.end() ? 0 : static_cast<std::size_t>(place - r.begin()));
+}
+
 std::string orientation_text(const Results& results, const Orientation& orientation) {
   const std::string text = to_string(orientation);
   return slides_on_two_axes(results) ? text : text.substr(0, text.find(", across"));

@@ -38,6 +38,10 @@ Places shown_along(const ConditionGrid& grid, ConditionAxis axis);
 /// "slope E-W, along it + first, across - second"; on one axis without what acts across.
 std::string orientation_text(const Results& results, const Orientation& orientation);
 
+/// The same with the strength that displacements of yielding buildings are divided by: R = 1 where
+/// it is listed (Walters et al. 2012, Fig. 15), else the first.
+Condition with_reference_strength(const ConditionGrid& grid, Condition at);
+
 bool has_several(const ConditionGrid& grid, ConditionAxis axis);
 /// Where a kind of support stands on its axis, if it is there.
 std::optional<std::size_t> place_of(const ConditionGrid& grid, ArraySupport support);

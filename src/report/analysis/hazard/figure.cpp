@@ -37,7 +37,9 @@ void add_run(Panel& panel, const HazardRun& run, const std::string& name, Look l
   DataSeries line{DataSeries::Kind::line, look, name, name};
   for (const DisplacementRate& row : run.curve) {
     const auto& [rate, interval] = row.annual_rate;
-    if (!std::isfinite(rate) || row.displacement_m > panel.x.high / room_for_rates) continue;
+    if (!std::isfinite(rate) || row.below_share > 0.0 ||
+        row.displacement_m > panel.x.high / room_for_rates)
+      continue;
     line.add(row.displacement_m, height(rate));
     band.add(row.displacement_m, {height(interval.low), height(interval.high)});
   }
@@ -85,7 +87,8 @@ Figure hazard_figure(const Results& results) {
       fmt::format("Shaded: 95 % interval over records, of the first curve. Drawn to {} (farther: "
                   "tables/hazard_curve.csv). Where a curve becomes level it is that of "
                   "shaking above the highest level of the study, {}, all of which counts as "
-                  "exceeding (rate {:.3g} a year). All combinations: tables/hazard_curve.csv.",
+                  "exceeding (rate {:.3g} a year). Not drawn where histories slide farther at the "
+                  "lowest level already. All combinations: tables/hazard_curve.csv.",
                   format_length(last_m(panel)), at_intensity(results, results.levels.back()),
                   hazard.beyond_rate)};
   for (const TargetDisplacement& row : hazard.runs.front().targets) {

@@ -55,6 +55,11 @@ std::string target_sentence(const Results& results, std::size_t target) {
                                  ? " (largest: " + run_name(results, results.runs[at]) + ")"
                                  : "";
   const std::string rate = rate_text(row.annual_rate) + of_run;
+  if (std::isnan(displacement_m))
+    return fmt::format(
+        "The displacement of {} is not known: {} has that rate, and the array slides at the lowest "
+        "level already; begin the levels lower.",
+        rate, at_intensity(results, row.intensity));
   if (std::isinf(displacement_m))
     return fmt::format(
         "The displacement of {} is beyond the levels: {} has that rate; give levels well above it.",
@@ -62,6 +67,11 @@ std::string target_sentence(const Results& results, std::size_t target) {
   if (displacement_m == run.curve.front().displacement_m)
     return fmt::format("The displacement of {} is {} or less.", rate,
                        format_length(displacement_m));
+  if (row.below_share > 0.0)
+    return fmt::format(
+        "The displacement of {} is {} or more: in {} of the histories the array slides farther at "
+        "the lowest level already; begin the levels lower.",
+        rate, format_length(displacement_m), format_share(row.below_share));
   return fmt::format("The displacement of {} is {} (95 % interval {}).", rate,
                      format_length(displacement_m), format_length_interval(interval));
 }
@@ -72,21 +82,26 @@ std::string prescribed_sentence(const Results& results, std::size_t standard) {
   const std::size_t most = run_of_largest(
       results, [&](std::size_t run) { return runs[run].prescribed[standard].annual_rate.value; });
   const PrescribedRate& row = runs[most].prescribed[standard];
-  const double target_m = displacement_at(rate_of(0.01, 50.0), runs[most]);
+  const TargetDisplacement target = target_displacement(rate_of(0.01, 50.0), runs[most]);
+  const double target_m = target.displacement_m.value;
   return fmt::format(
-      "{} prescribes {}{} at the S_DS of the site, {:g} g: it is exceeded with a probability of {} "
-      "in 50 years{}; {} is exceeded with 1 % in 50 years.",
+      "{} prescribes {}{} at the S_DS of the site, {:g} g: it is exceeded with a probability of "
+      "{}{} "
+      "in 50 years{}; {}{} is exceeded with 1 % in 50 years.",
       standard_name(row.standard), format_length(row.prescribed.value_m),
       row.prescribed.provenance == Provenance::recalled ? " (recalled: verify against the standard)"
                                                         : "",
-      row.sds_g,
+      row.sds_g, row.below_share > 0.0 ? "at least " : "",
       share_range({probability_in(50.0, row.annual_rate.value),
                    {probability_in(50.0, row.annual_rate.interval.low),
                     probability_in(50.0, row.annual_rate.interval.high)}}),
       lists_more_than_friction_value(results)
           ? " (most often: " + run_name(results, results.runs[most]) + ")"
           : "",
-      std::isinf(target_m) ? "more than the levels reach" : format_length(target_m));
+      target.below_share > 0.0 && std::isfinite(target_m) ? "at least " : "",
+      std::isnan(target_m)   ? "less than the levels show"
+      : std::isinf(target_m) ? "more than the levels reach"
+                             : format_length(target_m));
 }
 
 std::string length_or_none(const Estimate& length_m) {
@@ -98,8 +113,9 @@ std::vector<std::string> life_sentences(const Results& results, const HazardRun&
   const LifeDisplacement &single = run.life.at(0), &sum = run.life.at(1), &far = run.life.at(2);
   const DisplacementRate& least = run.curve.front();
   std::vector<std::string> all = {fmt::format(
-      "In {} the array slides more than {} in one earthquake or more with a probability of {}.",
+      "In {} the array slides more than {} in one earthquake or more with a probability of {}{}.",
       life_text(hazard), format_length(least.displacement_m),
+      least.below_share > 0.0 ? "at least " : "",
       format_share(probability_in(hazard.design_life_years, least.annual_rate.value)))};
   all.push_back(far.p95_m.value == 0.0
                     ? "The 95th percentile of the slip over " + life_text(hazard) + " is none."

@@ -22,9 +22,30 @@ Estimate period_of(const Estimate& rate) {
   return {1.0 / rate.value, {1.0 / rate.interval.high, 1.0 / rate.interval.low}};
 }
 
+const Column below_column{"below_share", "", "Below levels", ColumnKind::share, false, -1, true};
+
+/// with_listed, and what the sign of a lower bound says where there is one.
+Table with_bounds(const Results& results, Table table) {
+  const auto slides = [](const HazardRun& run) {
+    return run.moving_share > 0.0 || run.curve.front().below_share > 0.0;
+  };
+  if (std::ranges::any_of(results.hazard->runs, slides))
+    table.notes.push_back(
+        "> is a lower bound, without an interval: some histories (below_share) slide farther at "
+        "the lowest level already, and what weaker shaking adds is not known. Begin the levels "
+        "lower.");
+  return with_listed(results, table);
+}
+
+/// A lower bound where histories slide below the levels.
+SignedEstimate at_least(const Estimate& estimate, double below_share) {
+  return {estimate, below_share > 0.0 ? "> " : ""};
+}
+
 SignedEstimate target_of(const HazardRun& run, const TargetDisplacement& row) {
   const double lowest = run.curve.front().displacement_m;
-  return {row.displacement_m, row.displacement_m.value == lowest ? "< " : ""};
+  if (row.displacement_m.value == lowest) return {row.displacement_m, "< "};
+  return at_least(row.displacement_m, row.below_share);
 }
 
 std::string quantity_name(LifeQuantity quantity) {
@@ -93,13 +114,15 @@ Table hazard_curve_table(const Results& results) {
               "Annual rate of exceeding a displacement." + by_curve(results) + in_plan(results),
               {run_column,
                {"displacement", "m", "Displacement, m (in)", ColumnKind::length},
-               {"annual_rate", "per_year", "Annual rate [95 %]", ColumnKind::rate, true}},
+               {"annual_rate", "per_year", "Annual rate [95 %]", ColumnKind::rate, true},
+               below_column},
               {}};
   for (const HazardRun& run : results.hazard->runs) {
     for (const DisplacementRate& row : run.curve)
-      table.add({run.label, row.displacement_m, row.annual_rate});
+      table.add({run.label, row.displacement_m, at_least(row.annual_rate, row.below_share),
+                 row.below_share});
   }
-  return with_listed(results, table);
+  return with_bounds(results, std::move(table));
 }
 
 Table hazard_targets_table(const Results& results) {
@@ -111,14 +134,16 @@ Table hazard_targets_table(const Results& results) {
                {"annual_rate", "per_year", "Annual rate", ColumnKind::rate},
                {"probability_50_years", "", "In 50 years", ColumnKind::share},
                {"displacement", "m", "Displacement, m (in) [95 %, m]", ColumnKind::length, true},
-               intensity_column(results, "intensity", "Shaking of that rate")},
+               intensity_column(results, "intensity", "Shaking of that rate"),
+               below_column},
               {}};
   for (const HazardRun& run : results.hazard->runs) {
     for (const TargetDisplacement& row : run.targets)
       table.add({run.label, rate_text(row.annual_rate), row.annual_rate,
-                 probability_in(50.0, row.annual_rate), target_of(run, row), row.intensity});
+                 probability_in(50.0, row.annual_rate), target_of(run, row), row.intensity,
+                 row.below_share});
   }
-  return with_listed(results, table);
+  return with_bounds(results, std::move(table));
 }
 
 Table hazard_standards_table(const Results& results) {
@@ -134,18 +159,21 @@ Table hazard_standards_table(const Results& results) {
                {"annual_rate", "per_year", "Annual rate [95 %]", ColumnKind::rate, true},
                {"probability_50_years", "", "In 50 years", ColumnKind::share},
                {"risk_targeted", "m", "1 % in 50 years, m (in)", ColumnKind::length},
-               {"ratio", "", "That over prescribed"}},
+               {"ratio", "", "That over prescribed"},
+               below_column},
               {}};
   for (const HazardRun& run : results.hazard->runs) {
-    const double target = displacement_at(rate_of(0.01, 50.0), run);
+    const TargetDisplacement target = target_displacement(rate_of(0.01, 50.0), run);
+    const double target_m = target.displacement_m.value;
     for (const PrescribedRate& row : run.prescribed)
       table.add(
           {run.label, standard_name(row.standard),
            std::string(row.prescribed.provenance == Provenance::checked ? "checked" : "recalled"),
-           row.sds_g, row.prescribed.value_m, row.annual_rate,
-           probability_in(50.0, row.annual_rate.value), target, target / row.prescribed.value_m});
+           row.sds_g, row.prescribed.value_m, at_least(row.annual_rate, row.below_share),
+           at_least({probability_in(50.0, row.annual_rate.value), {}}, row.below_share),
+           target_of(run, target), target_m / row.prescribed.value_m, row.below_share});
   }
-  return with_listed(results, table);
+  return with_bounds(results, std::move(table));
 }
 
 Table life_distribution_table(const Results& results) {
@@ -156,13 +184,15 @@ Table life_distribution_table(const Results& results) {
               {run_column,
                text_column("quantity", "Slip"),
                {"probability", "", "Share of the lives", ColumnKind::share},
-               {"displacement", "m", "Displacement, m (in)", ColumnKind::length}},
+               {"displacement", "m", "Displacement, m (in)", ColumnKind::length},
+               below_column},
               {},
               {kept_over_life}};
   for (const HazardRun& run : results.hazard->runs)
     for (const LifeQuantile& row : run.life_distribution)
-      table.add({run.label, quantity_name(row.quantity), row.probability, row.displacement_m});
-  return with_listed(results, table);
+      table.add({run.label, quantity_name(row.quantity), row.probability,
+                 at_least({row.displacement_m, {}}, run.moving_share), run.moving_share});
+  return with_bounds(results, std::move(table));
 }
 
 Table shown_design_life_table(const Results& results) {
@@ -181,7 +211,7 @@ Table shown_design_life_table(const Results& results) {
   for (const HazardRun& run : hazard.runs) {
     std::vector<Cell> row{run.label};
     for (const LifeDisplacement& life : run.life) {
-      row.emplace_back(life.p95_m);
+      row.emplace_back(at_least(life.p95_m, run.moving_share));
       median_m = std::max(median_m, life.median_m.value);
     }
     table.add(std::move(row));
@@ -192,7 +222,7 @@ Table shown_design_life_table(const Results& results) {
                                              : "at most " + format_length(median_m)) +
                      "; they and the 84th percentiles: tables/design_life.csv.",
                  kept_over_life};
-  return with_listed(results, table);
+  return with_bounds(results, std::move(table));
 }
 
 Table design_life_table(const Results& results) {
@@ -203,14 +233,17 @@ Table design_life_table(const Results& results) {
                text_column("quantity", "Slip"),
                {"median", "m", "Median, m (in) [95 %, m]", ColumnKind::length, true},
                {"p84", "m", "84th percentile, m (in) [95 %, m]", ColumnKind::length, true},
-               {"p95", "m", "95th percentile, m (in) [95 %, m]", ColumnKind::length, true}},
+               {"p95", "m", "95th percentile, m (in) [95 %, m]", ColumnKind::length, true},
+               below_column},
               {},
               {kept_over_life}};
   for (const HazardRun& run : results.hazard->runs) {
+    const double below = run.moving_share;
     for (const LifeDisplacement& row : run.life)
-      table.add({run.label, quantity_name(row.quantity), row.median_m, row.p84_m, row.p95_m});
+      table.add({run.label, quantity_name(row.quantity), at_least(row.median_m, below),
+                 at_least(row.p84_m, below), at_least(row.p95_m, below), below});
   }
-  return with_listed(results, table);
+  return with_bounds(results, std::move(table));
 }
 
 }  // namespace glissade

@@ -17,7 +17,7 @@ constexpr std::size_t fewest_records = 3;
 constexpr std::size_t most_levels = 3;
 
 /// Speeds over the thresholds that enough records reach at a level: the median, and 16th to 84th
-/// percentile. Moved aside, so that bars of different levels do not hide each other.
+/// percentile.
 DataSeries speeds_at(const Results& results, const RunResults& run, std::size_t level) {
   const std::size_t records = results.records.size(), samples = run.cases,
                     thresholds = results.thresholds_m.size();
@@ -72,7 +72,8 @@ Figure impact_figure(const Results& results, const RunResults& run) {
     DataSeries median = speeds_at(results, run, static_cast<std::size_t>(level));
     median.look = family_look(k, levels.size());
     median.name = median.label = "median at " + at_intensity(results, levels[k]);
-    for (double& x : median.x) x += 0.006 * right_m * (static_cast<double>(k) - 1.0);
+    // Bars of different levels do not hide each other.
+    median.aside = 0.006 * right_m * (static_cast<double>(k) - 1.0);
     top_mps = std::max(top_mps, *std::ranges::max_element(median.high));
     DataSeries bars = median;
     bars.kind = DataSeries::Kind::bars;

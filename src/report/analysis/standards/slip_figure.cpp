@@ -43,17 +43,13 @@ struct Statistic {
   Interval SlipStatistics::*interval;
 };
 
-/// The band of a statistic's interval below all, its line above. A band whose upper end is infinite
-/// leaves the figure at the top.
-void add_statistic(Panel& panel, const RunResults& run, const Statistic& statistic, double top_m) {
+/// The band of a statistic's interval below all, its line above.
+void add_statistic(Panel& panel, const RunResults& run, const Statistic& statistic) {
   DataSeries line{DataSeries::Kind::line, look(statistic.role), statistic.label, statistic.label};
   DataSeries band{DataSeries::Kind::band, line.look, std::string(statistic.label) + ": band"};
-  const auto shown = [&](double limit_m) { return std::isinf(limit_m) ? 10.0 * top_m : limit_m; };
   for (const SlipStatistics& s : run.slip) {
     line.add(s.level, s.*statistic.value_m);
-    if (!statistic.interval) continue;
-    const Interval& interval = s.*statistic.interval;
-    band.add(s.level, {shown(interval.low), shown(interval.high)});
+    if (statistic.interval) band.add(s.level, s.*statistic.interval);
   }
   panel.series.insert(panel.series.begin(), std::move(band));
   panel.series.push_back(std::move(line));
@@ -95,15 +91,13 @@ Figure slip_vs_sds_figure(const Results& results, const RunResults& run) {
       mean{Role::mean, "mean", &SlipStatistics::mean_m, nullptr},
       median{Role::median, "median", &SlipStatistics::median_m, &SlipStatistics::median_interval};
   Panel slip = panel_to("Slip", top_m);
-  for (const Statistic& statistic : {p95, p84, mean, median})
-    add_statistic(slip, run, statistic, top_m);
+  for (const Statistic& statistic : {p95, p84, mean, median}) add_statistic(slip, run, statistic);
   figure.panels.push_back(std::move(slip));
   if (!has_standards) return figure;
   Panel compared = panel_to("Slip and prescribed displacements", std::max(top_m, prescribed_m));
   Statistic median_line = median;
   median_line.interval = nullptr;
-  for (const Statistic& statistic : {p95, median_line})
-    add_statistic(compared, run, statistic, top_m);
+  for (const Statistic& statistic : {p95, median_line}) add_statistic(compared, run, statistic);
   // The two standards agree over a wide range: the wide line is drawn below the narrow one.
   add_standard(compared, run, Standard::asce7_16, {{0x999999}, 5.0, 1, 5, 1.5}, 4);
   add_standard(compared, run, Standard::seaoc_pv1_2012, {{0x5e3c99}, 1.5, 5, 7, 0.8}, 6);

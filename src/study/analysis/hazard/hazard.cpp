@@ -38,16 +38,23 @@ class CapacityCurve {
     std::ranges::stable_sort(nodes_, {}, &Node::intensity);
   }
 
-  /// Infinite where the levels do not reach it. On the safe side where displacement begins between
-  /// two nodes: its line in the root begins at the lower one.
+  /// At the lowest node it is exceeded already.
+  bool is_below_levels(double displacement_m) const {
+    return !free_ && nodes_.front().displacement_m > displacement_m;
+  }
+
+  /// Infinite where the levels do not reach it; the lowest node where it is below them. On the safe
+  /// side where displacement begins between two nodes: its line in the root begins at the lower
+  /// one.
   double capacity(double displacement_m) const {
     if (free_) return 0.0;
     const auto at = std::ranges::find_if(
         nodes_, [&](const Node& node) { return node.displacement_m >= displacement_m; });
     if (at == nodes_.end()) return infinity;
-    if (at->displacement_m == displacement_m || std::isinf(at->displacement_m))
+    if (at == nodes_.begin() || at->displacement_m == displacement_m ||
+        std::isinf(at->displacement_m))
       return at->intensity;
-    const Node before = at == nodes_.begin() ? Node{} : *(at - 1);
+    const Node& before = *(at - 1);
     const double from = std::sqrt(before.displacement_m), to = std::sqrt(at->displacement_m);
     return std::lerp(before.intensity, at->intensity,
                      (std::sqrt(displacement_m) - from) / (to - from));
@@ -134,18 +141,28 @@ struct Rates {
     return grid;
   }
 
-  /// By displacement, then record.
-  std::vector<std::vector<double>> rates_of(const std::vector<double>& displacements_m) const {
-    std::vector<std::vector<double>> rates(displacements_m.size(), std::vector<double>(records()));
+  std::vector<DisplacementRate> of_displacements(const std::vector<double>& displacements_m) const {
+    std::vector<std::vector<double>> by_record(displacements_m.size(),
+                                               std::vector<double>(records()));
+    std::vector<std::size_t> below(displacements_m.size(), 0);
     for (std::size_t record = 0; record < records(); ++record) {
       for (std::size_t i = cases.first; i < cases.first + cases.count; ++i) {
         const CapacityCurve curve(results, record, i);
-        for (std::size_t d = 0; d < displacements_m.size(); ++d)
-          rates[d][record] +=
+        for (std::size_t d = 0; d < displacements_m.size(); ++d) {
+          by_record[d][record] +=
               rate(curve.capacity(displacements_m[d])) / static_cast<double>(cases.count);
+          if (curve.is_below_levels(displacements_m[d])) ++below[d];
+        }
       }
     }
-    return rates;
+    std::vector<DisplacementRate> rows;
+    for (std::size_t d = 0; d < displacements_m.size(); ++d) {
+      DisplacementRate& row = rows.emplace_back(DisplacementRate{
+          displacements_m[d], estimate(by_record[d]),
+          static_cast<double>(below[d]) / static_cast<double>(records() * cases.count)});
+      if (below[d] > 0) row.annual_rate.interval = {};
+    }
+    return rows;
   }
 };
 
@@ -165,61 +182,62 @@ struct RateBand {
   }
 };
 
+/// The first row with a rate of at most so much.
+std::size_t first_row(double rate, const std::vector<double>& rates) {
+  return static_cast<std::size_t>(std::ranges::find_if(rates, [&](double r) { return r <= rate; }) -
+                                  rates.begin());
+}
+
+/// Where rates, which fall with displacement, come down to one: linear in logarithms; the first
+/// displacement where they begin below it, infinite where they end above it.
+double displacement_at(double rate, const std::vector<double>& displacements_m,
+                       const std::vector<double>& rates) {
+  const std::size_t i = first_row(rate, rates);
+  if (i == rates.size()) return infinity;
+  if (i == 0 || std::isinf(rates[i - 1])) return displacements_m[i];
+  const double share = std::log(rates[i - 1] / rate) / std::log(rates[i - 1] / rates[i]);
+  return displacements_m[i - 1] * std::pow(displacements_m[i] / displacements_m[i - 1], share);
+}
+
 void add_curve(const Rates& rates, HazardRun& run) {
   const std::vector<double> displacements = rates.displacements_m();
-  const std::vector<std::vector<double>> by_record = rates.rates_of(displacements);
-  std::vector<double> all;
-  for (std::size_t d = 0; d < displacements.size(); ++d) {
-    run.curve.push_back({displacements[d], rates.estimate(by_record[d])});
-    all.push_back(run.curve.back().annual_rate.value);
-  }
+  run.curve = rates.of_displacements(displacements);
   const RateBand band(run.curve);
   for (const double target : rates.hazard.target_rates_per_year) {
-    TargetDisplacement row{target,
-                           {displacement_at(target, displacements, all), {}},
-                           rates.hazard.curve.intensity_at(target)};
+    TargetDisplacement& row = run.targets.emplace_back(target_displacement(target, run));
+    row.intensity = rates.hazard.curve.intensity_at(target);
     auto& [displacement_m, interval] = row.displacement_m;
     if (std::isfinite(displacement_m) && displacement_m > displacements.front() &&
-        rates.records() > 1)
+        row.below_share == 0.0 && rates.records() > 1)
       interval = {displacement_at(target, displacements, band.low),
                   displacement_at(target, displacements, band.high)};
-    run.targets.push_back(row);
   }
 }
 
 /// @param sds_g of the site
 void add_prescribed(const Rates& rates, const StandardsConfig& standards, double sds_g,
                     HazardRun& run) {
-  std::vector<double> displacements_m;
   for (const Standard standard : standards.compare) {
-    run.prescribed.push_back(
-        {standard, sds_g, prescribed_displacement(standard, sds_g, standards), {}});
-    displacements_m.push_back(run.prescribed.back().prescribed.value_m);
+    const Prescription prescribed = prescribed_displacement(standard, sds_g, standards);
+    const DisplacementRate row = rates.of_displacements({prescribed.value_m}).front();
+    run.prescribed.push_back({standard, sds_g, prescribed, row.annual_rate, row.below_share});
   }
-  const std::vector<std::vector<double>> by_record = rates.rates_of(displacements_m);
-  for (std::size_t i = 0; i < by_record.size(); ++i)
-    run.prescribed[i].annual_rate = rates.estimate(by_record[i]);
 }
 
 }  // namespace
 
-double displacement_at(double rate, const std::vector<double>& displacements_m,
-                       const std::vector<double>& rates) {
-  const auto at = std::ranges::find_if(rates, [&](double r) { return r <= rate; });
-  if (at == rates.end()) return infinity;
-  const auto i = static_cast<std::size_t>(at - rates.begin());
-  if (i == 0 || std::isinf(rates[i - 1])) return displacements_m[i];
-  const double share = std::log(rates[i - 1] / rate) / std::log(rates[i - 1] / rates[i]);
-  return displacements_m[i - 1] * std::pow(displacements_m[i] / displacements_m[i - 1], share);
-}
-
-double displacement_at(double rate, const HazardRun& run) {
+TargetDisplacement target_displacement(double annual_rate, const HazardRun& run) {
   std::vector<double> displacements_m, rates;
   for (const DisplacementRate& row : run.curve) {
     displacements_m.push_back(row.displacement_m);
     rates.push_back(row.annual_rate.value);
   }
-  return displacement_at(rate, displacements_m, rates);
+  TargetDisplacement target{annual_rate,
+                            {displacement_at(annual_rate, displacements_m, rates), {}}};
+  const std::size_t row = first_row(annual_rate, rates);
+  if (row < rates.size()) target.below_share = run.curve[row].below_share;
+  if (row == 0 && target.below_share > 0.0) target.displacement_m.value = nan;
+  return target;
 }
 
 HazardResults HazardAnalysis::find(const StudyConfig& config, const Results& results) {
