@@ -94,6 +94,22 @@ TEST_F(Fit, capacities_that_were_not_reached_need_the_level_up_to_which_they_wer
                       "2.5"}));
 }
 
+// Each row at its own intensity: the time is linear in the rows (it was quadratic).
+TEST_F(Fit, many_rows_are_announced_and_fitted) {
+  std::string counts = "im,num_gms,num_exceed\n";
+  constexpr int rows = 30000;
+  for (int i = 1; i <= rows; ++i) {  // of a lognormal with median 1.5 and log std 0.4
+    const double x = 1e-4 * i, share = 0.5 * std::erfc(-std::log(x / 1.5) / 0.4 / std::sqrt(2.0));
+    const bool exceeds = i * 7919 % rows < share * rows;
+    counts += std::to_string(x) + ",1," + (exceeds ? "1" : "0") + "\n";
+  }
+  const Finished child =
+      run_program({"fit", "--json", "--counts", folder_.write("counts.csv", counts)});
+  ASSERT_EQ(child.status, 0) << child.err;
+  EXPECT_THAT(child.err, testing::HasSubstr("fitting 30000 rows"));
+  EXPECT_NEAR(Json::parse(child.out).at("median").get<double>(), 1.5, 0.02);
+}
+
 TEST_F(Fit, separated_counts_are_fitted_by_the_labelled_penalty) {
   // Separated (theory.md, 6.2): x 0.2 to 1.2, k 0 0 0 20 20 20: no finite maximum; Jeffreys.
   const Json fit =

@@ -11,6 +11,7 @@
 #include "glissade/core/finite.hpp"
 #include "glissade/fragility/bootstrap.hpp"
 #include "glissade/io/fit_input.hpp"
+#include "say.hpp"
 
 namespace glissade::cli {
 namespace {
@@ -123,16 +124,24 @@ void check_options(const FitOptions& o) {
                       ""});
 }
 
+/// Of many rows, which take a while.
+template <class Input>
+Input announced(Input input) {
+  constexpr std::size_t many = 20000;
+  if (input.rows.size() > many) say("glissade: fitting {} rows\n", input.rows.size());
+  return input;
+}
+
 void run(const FitOptions& o) {
   check_options(o);
   if (!o.cloud.empty()) {
-    CloudInput input = read_cloud(o.cloud);
+    CloudInput input = announced(read_cloud(o.cloud));
     for (std::size_t i = 0; i < input.rows.size() && !input.has.record; ++i)
       input.rows[i].record = i;
     return print(fit_cloud(input.rows, o.thresholds), o.json);
   }
-  print(o.counts.empty() ? fit_capacities_of(read_capacities(o.capacities), o.censor_at)
-                         : fit_counts(read_counts(o.counts)),
+  print(o.counts.empty() ? fit_capacities_of(announced(read_capacities(o.capacities)), o.censor_at)
+                         : fit_counts(announced(read_counts(o.counts))),
         o.json);
 }
 

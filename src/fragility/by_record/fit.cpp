@@ -88,7 +88,7 @@ std::optional<LineRegion> region_of(const Records& data, const PointFit& point,
                                 : "profile likelihood, scaled by the variance between records";
   return LineRegion(
       [&data, penalised](const ProbitLine& l) {
-        return (penalised ? data.evaluate_penalised(l) : data.evaluate(l)).value;
+        return penalised ? data.evaluate_penalised(l).value : data.value(l);
       },
       line, allowance.half_axes(), allowance);
 }

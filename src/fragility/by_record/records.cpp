@@ -259,12 +259,12 @@ Records::Scores StripeRecords::scores(const ProbitLine& line) const {
 }
 
 /// A history has one capacity: whether it exceeds at two levels has the covariance Phi(z_low)
-/// Phi(-z_high).
+/// Phi(-z_high). Independent counts have none.
 Eigen::Matrix2d StripeRecords::score_variance(const ProbitLine& line) const {
   const Eigen::Index levels = pooled_.y.size();
   Eigen::Matrix2d sum = Eigen::Matrix2d::Zero();
   for (Eigen::Index i = 0; i < levels; ++i) {
-    for (Eigen::Index j = 0; j < levels; ++j) {
+    for (Eigen::Index j = independent_ ? i : 0; j < (independent_ ? i + 1 : levels); ++j) {
       const Eigen::Vector2d x{1, std::min(pooled_.y[i], pooled_.y[j])},
           x_high{1, std::max(pooled_.y[i], pooled_.y[j])};
       const double covariance = hazard(-line.dot(x)) * hazard(line.dot(x_high));

@@ -39,6 +39,7 @@ class Records {
   virtual PointFit fit() const = 0;
   /// Log likelihood, up to a constant of the data, with its derivatives.
   virtual Evaluation evaluate(const ProbitLine& line) const = 0;
+  virtual double value(const ProbitLine& line) const { return evaluate(line).value; }
   virtual Evaluation evaluate_penalised(const ProbitLine& line) const { return evaluate(line); }
   virtual Scores scores(const ProbitLine& line) const = 0;  ///< gradients by record
   /// Variance of the summed gradient were all histories independent.
@@ -86,6 +87,9 @@ class StripeRecords final : public Records {
   PointFit fit_jeffreys() const;
   Evaluation evaluate(const ProbitLine& line) const override {
     return stripe_likelihood(pooled_, line);
+  }
+  double value(const ProbitLine& line) const override {
+    return stripe_log_likelihood(pooled_, line);
   }
   /// Of the penalised likelihood, with as many trials as records.
   Evaluation evaluate_penalised(const ProbitLine& line) const override {

@@ -112,7 +112,7 @@ LineRegion any_region(const StripeData& data, const TwoPartFit& fit, double effe
   const double t = student_quantile(std::max(1.0, errors.any_freedom), 0.975);
   const double allowed = t * t * std::max(1.0, effect);
   const Eigen::Matrix2d covariance = stripe_likelihood(data, line).information.inverse();
-  return {[&data](const ProbitLine& other) { return stripe_likelihood(data, other).value; }, line,
+  return {[&data](const ProbitLine& other) { return stripe_log_likelihood(data, other); }, line,
           covariance.llt().matrixL(), [allowed](const ProbitLine&) { return allowed; }};
 }
 

@@ -59,6 +59,17 @@ std::optional<ProbitLine> maximise(const Objective& objective, const ProbitLine&
   return newton_maximum(objective, start);
 }
 
+double stripe_log_likelihood(const StripeData& data, const ProbitLine& line) {
+  double sum = 0;
+  for (Eigen::Index j = 0; j < data.y.size(); ++j) {
+    const double k = data.exceedances[j], rest = data.trials[j] - k;
+    const double z = line.dot(Eigen::Vector2d{1, data.y[j]});
+    if (k > 0) sum += k * log_normal_cdf(z);
+    if (rest > 0) sum += rest * log_normal_cdf(-z);
+  }
+  return sum;
+}
+
 Evaluation stripe_likelihood(const StripeData& data, const ProbitLine& line, Link link) {
   Evaluation sum;
   for (Eigen::Index j = 0; j < data.y.size(); ++j) {

@@ -49,7 +49,9 @@ struct StripeData {
   double center = 0.0;
 };
 
-/// Log likelihood without ln C(n, k); observed information.
+/// Log likelihood without ln C(n, k), of the probit.
+double stripe_log_likelihood(const StripeData& data, const ProbitLine& line);
+/// The same; observed information.
 Evaluation stripe_likelihood(const StripeData& data, const ProbitLine& line,
                              Link link = Link::probit);
 /// ... plus half the log determinant of the expected information, which is the information given

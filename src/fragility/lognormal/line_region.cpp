@@ -21,7 +21,7 @@ double zero_between(const std::function<double(double)>& f, double a, double b, 
                     double f_b) {
   std::uintmax_t iterations = 100;
   const auto [low, high] = boost::math::tools::toms748_solve(
-      f, a, b, f_a, f_b, boost::math::tools::eps_tolerance<double>(45), iterations);
+      f, a, b, f_a, f_b, boost::math::tools::eps_tolerance<double>(36), iterations);
   return 0.5 * (low + high);
 }
 
@@ -70,7 +70,7 @@ Interval LineRegion::range(const std::function<double(const ProbitLine&)>& quant
     std::uintmax_t iterations = 60;
     const auto [angle, refined] = boost::math::tools::brent_find_minima(
         [&](double a) { return sign * quantity(boundary(a)); }, (at - 1) * step, (at + 1) * step,
-        24, iterations);
+        18, iterations);  // of the angle: twice as many bits of the quantity, which is level there
     return std::min(found, refined);
   };
   return {least(1), -least(-1)};

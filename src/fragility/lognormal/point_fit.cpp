@@ -177,7 +177,7 @@ double mean_log(const std::vector<double>& values) {
 FitSummary summarise_bound(const StripeData& data) {
   const bool none = data.exceedances.sum() == 0;
   const auto log_probability = [&](const ProbitLine& line) {
-    return stripe_likelihood(data, line).value;
+    return stripe_log_likelihood(data, line);
   };
   const double bound = median_bound(log_probability, assumed_log_std, data.center);
   FitSummary summary;
