@@ -408,7 +408,6 @@ Project read_project(const std::filesystem::path& file) {
   if (!root.has("project") && (root.has("record") || root.has("recipe")))
     throw InputError({file.string(), "is a suite file, not a project",
                       "name it in a project as [suite] file (glissade clearance --example)", ""});
-  document.explain_old_keys(renamed_project_keys(), {});
   document.read_only([](const std::string& name) { return has_key(project_grammar(), name); });
   require_keys(root);
   Project project;

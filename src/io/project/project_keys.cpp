@@ -97,17 +97,6 @@ std::string project_example_of(const char* table, const char* key) {
   return row->value;
 }
 
-std::vector<RenamedKey> renamed_project_keys() {
-  return {{"friction.mean", "write friction.mu = { mean = ..., std = ... }"},
-          {"friction.std", "write friction.mu = { mean = ..., std = ... }"},
-          {"suite.samples", "it is sampling.samples now"},
-          {"suite.without_target", "it is clearance.without_target now"},
-          {"standard", "it is [standards] now"},
-          {"standard.name", "it is standards.compare now"},
-          {"standard.importance", "it is standards.importance now"},
-          {"standard.peer_reviewed", "it is standards.peer_reviewed now"}};
-}
-
 std::string project_example() {
   std::string text =
       "# A project: glissade clearance FILE\n"

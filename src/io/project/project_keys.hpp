@@ -15,7 +15,4 @@ inline constexpr const char *required = "required", *in_example = "in the exampl
 /// "period_s = [0.7, 1.0]": the line of a key.
 std::string project_example_of(const char* table, const char* key);
 
-/// Keys of earlier projects, and what to write now.
-std::vector<RenamedKey> renamed_project_keys();
-
 }  // namespace glissade

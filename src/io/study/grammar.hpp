@@ -56,9 +56,4 @@ std::vector<KeyNeeds> key_needs();
 /// Reports every key that is given and has no effect. Reads after all others.
 void refuse_idle_keys(const TomlTable& root, const StudyConfig& study);
 
-/// Keys of earlier grammars, and what to write now.
-std::vector<RenamedKey> renamed_keys();
-/// Keys that mean another thing than in earlier grammars.
-std::vector<ChangedKey> changed_keys();
-
 }  // namespace glissade

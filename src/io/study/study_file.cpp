@@ -127,7 +127,6 @@ StudyConfig read_study(const std::filesystem::path& file) {
 
 StudyConfig read_study(const std::filesystem::path& file, TextFiles& files) {
   TomlDocument document(file, &files);
-  document.explain_old_keys(renamed_keys(), changed_keys());
   const TomlTable root = document.root();
   if (!root.has("study") && root.has("project"))
     throw InputError({file.string(), "is a project file, not a study",

@@ -35,9 +35,7 @@ struct TomlDocument::State {
   std::map<const void*, std::set<std::string, std::less<>>> read;
   std::set<const void*> not_checked;
   std::function<bool(const std::string& name)> is_key;
-  std::vector<RenamedKey> renamed;
   std::map<std::string, std::string> explained;  ///< what to suggest for keys that are none
-  std::vector<ChangedKey> changed;
   /// Quantities written with a unit: where their text begins, and the number.
   std::map<std::size_t, double> written;
 
@@ -46,17 +44,8 @@ struct TomlDocument::State {
 
   void note_written(const toml::source_position& at, double value);
   Problem problem(const toml::source_position& at, std::string what, std::string suggestion) const;
-  const RenamedKey* renamed_key(const std::string& name) const {
-    const auto old = std::ranges::find(renamed, name, &RenamedKey::name);
-    return old == renamed.end() ? nullptr : &*old;
-  }
   void find_unknown_keys(const toml::table& table, const std::string& path);
-  /// The keys of a table that is gone.
-  void find_old_keys(const toml::table& table, const std::string& path);
-  /// With old keys, those whose meaning has changed.
-  void find_changed_keys();
-  /// Old keys first; what was found in their tables, or of a whole study, and keys without effect
-  /// may come from them and are left out.
+  /// Without keys that have no effect where their table has another fault, from which that may come.
   void throw_if_any() const;
 };
 
@@ -166,12 +155,9 @@ void TomlDocument::State::find_unknown_keys(const toml::table& table, const std:
   }
   for (const auto& [at, name] : unknown) {
     const std::string nearest = nearest_word(name, known);
-    const RenamedKey* old = renamed_key(path + name);
-    if (old == nullptr && not_checked.contains(&table)) continue;
+    if (not_checked.contains(&table)) continue;
     std::string suggestion;
-    if (old != nullptr) {
-      suggestion = old->now;
-    } else if (const auto known_as = explained.find(path + name); known_as != explained.end()) {
+    if (const auto known_as = explained.find(path + name); known_as != explained.end()) {
       suggestion = known_as->second;
     } else if (!nearest.empty()) {
       suggestion = "did you mean " + nearest + unit_note(name, nearest) + "?";
@@ -180,55 +166,17 @@ void TomlDocument::State::find_unknown_keys(const toml::table& table, const std:
         suggestion += (suggestion.empty() ? "known are " : ", ") + word;
     }
     found.push_back({problem(at, path + name + " is not a known key", suggestion), table_of(path),
-                     old != nullptr ? ProblemKind::old_key : ProblemKind::unknown_key});
-    const toml::table* gone = old != nullptr ? table[name].as_table() : nullptr;
-    if (gone != nullptr) find_old_keys(*gone, path + name + ".");
-  }
-}
-
-void TomlDocument::State::find_old_keys(const toml::table& table, const std::string& path) {
-  for (const auto& [key, node] : table) {
-    const std::string name = path + std::string(key.str());
-    if (const RenamedKey* old = renamed_key(name))
-      found.push_back({problem(key.source().begin, name + " is not a known key", old->now),
-                       table_of(path), ProblemKind::old_key});
-  }
-}
-
-void TomlDocument::State::find_changed_keys() {
-  const auto is_old = [](const Found& f) { return f.kind == ProblemKind::old_key; };
-  if (std::ranges::none_of(found, is_old)) return;
-  for (const ChangedKey& key : changed) {
-    const toml::node* node = root.at_path(key.name).node();
-    const bool is_reported = std::ranges::any_of(found, [&](const Found& f) {
-      return is_old(f) && f.problem.what.starts_with(key.name + " ");
-    });
-    if (is_reported || (node != nullptr) != (key.where == ChangedKey::Where::given) ||
-        (!key.beside.empty() && !root.contains(key.beside)) ||
-        (!key.without.empty() && root.contains(key.without)))
-      continue;
-    const toml::source_position at =
-        node != nullptr ? node->source().begin : toml::source_position{};
-    found.push_back({problem(at, key.name + " " + key.what, key.now),
-                     table_of(key.name.substr(0, key.name.rfind('.') + 1)), ProblemKind::old_key});
+                     ProblemKind::unknown_key});
   }
 }
 
 void TomlDocument::State::throw_if_any() const {
   ProblemList problems;
-  std::set<std::string> old_tables, faulty_tables;
-  for (const Found& f : found) {
+  std::set<std::string> faulty_tables;
+  for (const Found& f : found)
     if (f.kind == ProblemKind::value) faulty_tables.insert(f.table);
-    if (f.kind != ProblemKind::old_key) continue;
-    problems.add(f.problem);
-    old_tables.insert({f.table, ""});
-  }
-  for (const Found& f : found) {
-    const bool follows =
-        (f.kind == ProblemKind::value && old_tables.contains(f.table)) ||
-        (f.kind == ProblemKind::idle && (!old_tables.empty() || faulty_tables.contains(f.table)));
-    if (f.kind != ProblemKind::old_key && !follows) problems.add(f.problem);
-  }
+  for (const Found& f : found)
+    if (f.kind != ProblemKind::idle || !faulty_tables.contains(f.table)) problems.add(f.problem);
   problems.throw_if_any();
 }
 
@@ -267,11 +215,6 @@ void TomlDocument::read_only(std::function<bool(const std::string& name)> is_key
   state_->is_key = std::move(is_key);
 }
 
-void TomlDocument::explain_old_keys(std::vector<RenamedKey> keys, std::vector<ChangedKey> changed) {
-  state_->renamed = std::move(keys);
-  state_->changed = std::move(changed);
-}
-
 TomlTable TomlDocument::root() {
   state_->read[&state_->root];
   return {state_.get(), &state_->root, ""};
@@ -305,7 +248,6 @@ void TomlDocument::add(Problem problem) {
 
 void TomlDocument::finish() {
   state_->find_unknown_keys(state_->root, "");
-  state_->find_changed_keys();
   state_->throw_if_any();
 }
 
@@ -373,8 +315,6 @@ void TomlTable::report_missing(std::string_view key, std::string suggestion) con
 void TomlTable::report_unknown_word(std::string_view key, const std::string& word,
                                     const std::vector<std::string>& known) const {
   const std::string given = name_of(key) + " = \"" + word + "\"";
-  if (const RenamedKey* old = document_->renamed_key(given))
-    return report(key, given + " is not known", old->now, ProblemKind::old_key);
   const std::string nearest = nearest_word(word, known);
   std::string suggestion = nearest.empty() ? "" : "did you mean \"" + nearest + "\"? ";
   for (std::size_t i = 0; i < known.size(); ++i)

@@ -36,25 +36,8 @@ inline constexpr NumberRule friction_rule{
 template <class E>
 using EnumNames = std::initializer_list<std::pair<const char*, E>>;
 
-/// A key or a value that had another name, or a table that is gone, and what to write now.
-struct RenamedKey {
-  std::string name;  ///< "friction.mean", "orientation.sign = \"both\""
-  std::string now;   ///< "write friction.mu = { mean = ..., std = ... }"
-};
-
-/// A key that is read otherwise than in an earlier grammar. Reported in a file with old keys, where
-/// it is given or absent, beside a table and without another one ("": any).
-struct ChangedKey {
-  std::string name;
-  enum class Where { given, absent } where;
-  std::string beside, without;
-  std::string what;  ///< "was 1 where absent, and is 2 now"
-  std::string now;   ///< what to write for the same numbers
-};
-
-/// What a problem is of: a key of the grammar (`value`), of an earlier one, of none, or one that
-/// has no effect.
-enum class ProblemKind { value, old_key, unknown_key, idle };
+/// What a problem is of: a key of the grammar (`value`), of none, or one that has no effect.
+enum class ProblemKind { value, unknown_key, idle };
 
 class TomlTable;
 
@@ -86,8 +69,6 @@ class TomlDocument {
   /// Lengths and forces that were read and that the file gives as plain numbers, with what they are
   /// in US units: "building.height_m = 54 (177 ft)".
   std::vector<std::string> unmarked_numbers() const;
-  /// What to suggest for keys that are not known any more, and what else to report with them.
-  void explain_old_keys(std::vector<RenamedKey> keys, std::vector<ChangedKey> changed);
   void finish();
 
   struct State;

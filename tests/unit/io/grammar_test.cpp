@@ -164,55 +164,6 @@ TEST_F(Grammar, has_every_key_that_can_be_read_at_all) {
                std::logic_error);
 }
 
-TEST_F(Grammar, names_the_new_key_where_a_key_or_a_value_was_renamed) {
-  const std::set<std::string> tables = names(true), keys = names(false);
-  for (const RenamedKey& old : renamed_keys()) {
-    const std::size_t dot = old.name.find('.');
-    const bool is_value = old.name.find(" = ") != std::string::npos;
-    const std::string line = dot == std::string::npos
-                                 ? "[" + old.name + "]\n"
-                                 : "[" + old.name.substr(0, dot) + "]\n" +
-                                       old.name.substr(dot + 1) + (is_value ? "\n" : " = 1\n");
-    const std::string message = error("[study]\nname = \"s\"\n" + line);
-    EXPECT_THAT(message, HasSubstr(old.name + (is_value ? " is not known" : " is not a known key")))
-        << message;
-    EXPECT_THAT(message, HasSubstr(old.now));
-    EXPECT_FALSE(keys.contains(old.name) || tables.contains(old.name)) << old.name;
-    const auto names_one = [&](const std::set<std::string>& all, const std::string& before,
-                               const std::string& after) {
-      return std::ranges::any_of(all, [&](const std::string& name) {
-        return old.now.find(before + name + after) != std::string::npos;
-      });
-    };
-    EXPECT_TRUE(is_value || names_one(keys, "", "") || names_one(tables, "[", "]") ||
-                old.now.find("tests") != std::string::npos)
-        << old.now;
-  }
-}
-
-TEST_F(Grammar, an_old_key_comes_first_and_alone_of_what_follows_from_it) {
-  const auto places = [&](const std::string& text) {
-    std::vector<std::string> found;
-    try {
-      read_study(folder_.write("study.toml", text));
-    } catch (const InputError& refused) {
-      for (const Problem& p : refused.problems())
-        found.push_back(p.what.substr(0, p.what.find(' ')));
-    }
-    return found;
-  };
-  // Without a friction, an analysis and two slopes: each of them has moved.
-  EXPECT_THAT(places("[study]\nname = \"s\"\n[suite]\nfile = \"suite.toml\"\n[intensity]\n"
-                     "measure = \"pga_g\"\nlevels = [-1]\n[friction]\nmean = 0.5\nstd = 0.1\n"
-                     "[chart]\nslope_deg = [0, 1]\nmu = [0.4]\n"),
-              testing::UnorderedElementsAre("chart.slope_deg", "chart.mu", "friction.mean",
-                                            "friction.std", "intensity.levels", "model.axes"));
-  EXPECT_THAT(places("[study]\nname = \"s\"\nsed = 1\n[suite]\nfile = \"suite.toml\"\n"
-                     "[intensity]\nmeasure = \"pga_g\"\nlevels = [1]\n[friction]\nmu = 0.5\n"
-                     "[fragility]\nthresholds_m = [1]\n[orientation]\nsign = \"both\"\n"),
-              testing::ElementsAre("orientation.sign", "model.axes", "study.sed"));
-}
-
 TEST_F(Grammar, every_key_with_a_need_is_a_key) {
   const std::set<std::string> keys = names(false);
   for (const KeyNeeds& n : key_needs())
