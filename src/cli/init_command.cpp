@@ -63,6 +63,7 @@ ExampleFile study_file(const InitOptions& o) {
   ExampleFile file = ExampleFile::study();
   set_common(o, file);
   file.set_text("study", "description", "");
+  file.comment_out("suite", "normalise");  // a choice that depends on the suite
   if (o.has_site())
     file.set("intensity", "target",
              fmt::format("{{ edition = {}, ss_g = {}, s1_g = {}, site_class = {} }}",
@@ -167,16 +168,18 @@ void init(InitOptions o) {
   if (o.file.empty()) o.file = o.kind + ".toml";
   check_output_file(o.file, "file", o.overwrite);
   ExampleFile file = o.is_project() ? project_file(o) : study_file(o);
-  if (const auto target = write_checked(o, file)) {
+  const std::optional<DesignTarget> target = write_checked(o, file);
+  if (target) {
     file.set_numbers("intensity", "levels", levels_around(TargetSpectrum(*target).sds_g()));
     write_checked(o, file);
   }
   put("File    {}\nValues of the example, not yours yet:\n{}", o.file, file.of_example());
   if (!o.is_project() && !o.has_site())
-    put("  {}\n", wrapped(fmt::format("intensity.target: none; {} needs a [target], or give "
-                                      "--ss-g and its site",
-                                      o.suite.empty() ? "the suite" : o.suite),
-                          terminal_width, 4));
+    put("  {}\n",
+        wrapped(target ? "intensity.target: that of the suite, " + to_string(*target) +
+                             "; --ss-g, --s1-g, --site-class and --edition give that of your site"
+                       : "intensity.target: none, and the suite has none; give --ss-g and its site",
+                terminal_width, 4));
   if (o.is_project())
     put("Not stated, comments in the file: building.storeys, array, clearances, hazard\n");
   put("Next    glissade check {}\n", o.file);

@@ -112,12 +112,11 @@ void check_options(const FitOptions& o) {
     throw InputError(
         {"glissade fit", "needs one of --counts, --capacities and --cloud", "give one file", ""});
   }
-  if (o.censor_at &&
-      (o.capacities.empty() || !(*o.censor_at > 0.0) || !std::isfinite(*o.censor_at))) {
-    throw InputError({"--censor-at",
-                      fmt::format("{:g} must be > 0 and needs --capacities", *o.censor_at), "",
-                      ""});
-  }
+  if (o.censor_at && o.capacities.empty())
+    throw InputError({"--censor-at", "goes with --capacities",
+                      "counts and clouds state what was not exceeded", ""});
+  if (o.censor_at && (!(*o.censor_at > 0.0) || !std::isfinite(*o.censor_at)))
+    throw InputError({"--censor-at", fmt::format("{:g} must be > 0", *o.censor_at), "", ""});
   if (o.cloud.empty() != o.thresholds.empty())
     throw InputError({"--threshold",
                       "goes with --cloud: the displacements whose fragility is asked", "give both",

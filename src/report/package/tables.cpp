@@ -96,8 +96,6 @@ std::string hazard_sentence(const CalculationPackage& package) {
            "give [hazard] in the project file (curve, or k0 and k; design_life_years).";
   const HazardResults& hazard = *package.probability.hazard;
   const ThresholdRate& governing = package.design.compared.front().rate.value();
-  // Of the rate: the part of shaking beyond the levels, all of which is taken to exceed.
-  constexpr double mostly_assumed = 0.5;
   const auto largest_of = [&](LifeQuantity quantity) -> const LifeDisplacement& {
     const auto life = [&](const HazardRun& r) -> const LifeDisplacement& {
       return found_in(r.life, quantity, "a design life", &LifeDisplacement::quantity);
@@ -114,7 +112,7 @@ std::string hazard_sentence(const CalculationPackage& package) {
       "With the hazard curve {}, at the period with the largest rate: the governing displacement "
       "is exceeded {} once in {} years, in 50 years with a probability of {}. Over {}, {}, at the "
       "period at which it is largest: ",
-      curve_name(hazard), governing.beyond_share > mostly_assumed ? "at most" : "about",
+      curve_name(hazard), governing.is_mostly_assumed() ? "at most" : "about",
       format_number(rounded_to(1.0 / governing.annual_rate.value, 2)),
       format_share(probability_in(50.0, governing.annual_rate.value)), life_text(hazard),
       not_returned);

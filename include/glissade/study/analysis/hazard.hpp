@@ -35,6 +35,9 @@ struct ThresholdRate {
   double beyond_share = 0.0;  ///< part of the rate that comes from histories so counted
   double fit_rate = 0.0;      ///< of the lognormal fit; NaN without one
   Estimate life_probability;  ///< of one exceedance or more in the design life
+
+  /// Most of the rate is that assumption: an upper bound, without an interval.
+  bool is_mostly_assumed() const { return beyond_share > 0.5; }
 };
 
 /// The annual rate of a displacement: as of a threshold, with the capacity of each history

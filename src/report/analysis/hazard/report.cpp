@@ -29,7 +29,7 @@ std::string threshold_sentence(const HazardResults& hazard, const ThresholdRate&
   if (std::isinf(row.annual_rate.value))
     return "Some histories slide freely: " + clearance +
            " is exceeded without any earthquake, and has no annual rate.";
-  const bool bound = row.beyond_share == 1.0;
+  const bool bound = row.is_mostly_assumed();
   std::string text = fmt::format(
       "{} is exceeded {} once in {} years (annual rate {}): in {} with a probability of {}{}.",
       clearance, bound ? "less than" : "about", format_number(1.0 / row.annual_rate.value),

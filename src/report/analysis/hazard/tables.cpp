@@ -62,7 +62,7 @@ std::string quantity_name(LifeQuantity quantity) {
 
 }  // namespace
 
-const char* sign_of(const ThresholdRate& row) { return row.beyond_share == 1.0 ? "< " : ""; }
+const char* sign_of(const ThresholdRate& row) { return row.is_mostly_assumed() ? "< " : ""; }
 
 std::string curve_name(const HazardResults& hazard) {
   return std::filesystem::path(hazard.source).filename().string();
@@ -98,14 +98,15 @@ Table hazard_table(const Results& results, std::optional<double> threshold_m) {
       const char* sign = sign_of(row);
       const Estimate in_50_years{probability_in(50.0, row.annual_rate.value), {}};
       table.add({run.label, row.threshold_m, SignedEstimate{row.annual_rate, sign},
-                 SignedEstimate{period_of(row.annual_rate), row.beyond_share == 1.0 ? "> " : ""},
+                 SignedEstimate{period_of(row.annual_rate), row.is_mostly_assumed() ? "> " : ""},
                  SignedEstimate{row.life_probability, sign}, SignedEstimate{in_50_years, sign},
                  row.beyond_share, row.fit_rate});
     }
   }
   table.notes = {
       "Beyond levels: the share of the rate from histories that do not reach the clearance at the "
-      "highest level. Any shaking above that level counts as exceeding it."};
+      "highest level. Any shaking above that level counts as exceeding it. Above a half the rate "
+      "is an upper bound (<), without an interval."};
   return with_listed(results, table);
 }
 

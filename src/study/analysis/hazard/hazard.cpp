@@ -85,7 +85,8 @@ struct Rates {
   /// None where no history decides the rate: resampling shows nothing of what none of them reached.
   Interval interval(const std::vector<double>& by_record) const {
     const bool infinite = std::ranges::any_of(by_record, [](double r) { return std::isinf(r); });
-    const bool unseen = std::ranges::all_of(by_record, [&](double r) { return r <= highest; });
+    const bool unseen =
+        std::ranges::all_of(by_record, [&](double r) { return r <= (1.0 + 1e-12) * highest; });
     if (infinite || unseen) return {};
     return positive_mean_interval(by_record, options);
   }
@@ -110,6 +111,7 @@ struct Rates {
         fragility.censored_share == 1.0
             ? 1.0
             : beyond / (row.annual_rate.value * static_cast<double>(records() * cases.count));
+    if (row.is_mostly_assumed()) row.annual_rate.interval = {};
     const FitSummary& fit =
         fragility.capacities.converged() ? fragility.capacities : fragility.stripes;
     row.fit_rate = fit.converged()                           ? annual_rate(hazard.curve, fit.curve)

@@ -2,7 +2,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
+#include "glissade/motion/design_spectrum.hpp"
 #include "glissade/motion/improbable.hpp"
 #include "glissade/study/results.hpp"
 #include "plan/length_unit.hpp"
@@ -49,17 +51,31 @@ std::vector<std::string> HazardAnalysis::plan_warnings(const StudyOutline& study
       improbable_mce_rate(curve.annual_rate(study.mce_level),
                           by_sds ? fmt::format("S_MS, {:.3g} g,", study.mce_level) : "the MCE");
   if (!text.empty()) warnings.push_back(text);
+  const double stated_g = study.config.hazard->sds_g, target_g = study.mce_level / mce_over_dbe;
+  if (by_sds && stated_g > 0.0 && std::abs(stated_g / target_g - 1.0) > 0.01)
+    warnings.push_back(
+        fmt::format("hazard.sds_g is {:.3g} g and the S_DS of the design target {:.3g} g: the site "
+                    "has one; change sds_g or the target ([intensity] target, or the suite's)",
+                    stated_g, target_g));
   return warnings;
 }
 
-/// A curve that is no site's.
+/// A curve of a measure that has no rate, and one that is no site's.
 std::vector<std::string> HazardAnalysis::plan_notes(const StudyOutline& study) {
   const std::optional<HazardConfig>& hazard = study.config.hazard;
-  if (!hazard || !hazard->is_assumed) return {};
-  return {"hazard curve " + hazard->source +
-          " (1 % collapse in 50 years, 10 % at MCE, log_std 0.6: ASCE 7-16, 21.2.1.2, recalled): "
-          "it is not that of the site; where MCE_R is limited by a deterministic earthquake the "
-          "rates of the site are higher"};
+  std::vector<std::string> notes;
+  if (!hazard) return notes;
+  if (study.config.intensity.measure == IntensityMeasure::sds_g)
+    notes.emplace_back(
+        "annual rates by S_DS come out high: S_DS has no single annual rate, and the average "
+        "spectrum of a suite lies above its target; for rates use measure = \"sa_g\"");
+  if (hazard->is_assumed)
+    notes.push_back(
+        "hazard curve " + hazard->source +
+        " (1 % collapse in 50 years, 10 % at MCE, log_std 0.6: ASCE 7-16, 21.2.1.2, recalled): it "
+        "is not that of the site; where MCE_R is limited by a deterministic earthquake the rates "
+        "of the site are higher");
+  return notes;
 }
 
 /// Annual rates that rest on shaking above the highest level.
