@@ -6,6 +6,7 @@
 #include <functional>
 #include <numbers>
 #include <numeric>
+#include <set>
 
 #include "by_record/clusters.hpp"
 #include "glissade/core/distributions.hpp"
@@ -259,17 +260,42 @@ Records::Scores StripeRecords::scores(const ProbitLine& line) const {
 }
 
 /// A history has one capacity: whether it exceeds at two levels has the covariance Phi(z_low)
-/// Phi(-z_high). Independent counts have none.
+/// Phi(-z_high); independent counts have none. Of two levels of a record the smaller number of
+/// histories is common: it is summed over the steps of their number, so that the time is linear in
+/// the levels.
 Eigen::Matrix2d StripeRecords::score_variance(const ProbitLine& line) const {
-  const Eigen::Index levels = pooled_.y.size();
+  struct Level {
+    Eigen::Vector2d x, below;  // the latter phi/Phi(-z) x
+    double above = 0;          // phi/Phi(z)
+    Eigen::Index column = 0;
+  };
+  std::vector<Level> levels;
+  for (Eigen::Index j = 0; j < pooled_.y.size(); ++j) {
+    const Eigen::Vector2d x{1, pooled_.y[j]};
+    levels.push_back({x, hazard(-line.dot(x)) * x, hazard(line.dot(x)), j});
+  }
+  std::ranges::sort(levels, {}, [](const Level& level) { return level.x[1]; });
   Eigen::Matrix2d sum = Eigen::Matrix2d::Zero();
-  for (Eigen::Index i = 0; i < levels; ++i) {
-    for (Eigen::Index j = independent_ ? i : 0; j < (independent_ ? i + 1 : levels); ++j) {
-      const Eigen::Vector2d x{1, std::min(pooled_.y[i], pooled_.y[j])},
-          x_high{1, std::max(pooled_.y[i], pooled_.y[j])};
-      const double covariance = hazard(-line.dot(x)) * hazard(line.dot(x_high));
-      const double histories = row_weight_.dot(trials_.col(i).cwiseMin(trials_.col(j)).matrix());
-      sum += 0.5 * histories * covariance * (x * x_high.transpose() + x_high * x.transpose());
+  if (independent_) {
+    for (const Level& level : levels)
+      sum += pooled_.trials[level.column] * level.above * level.below * level.x.transpose();
+    return sum;
+  }
+  for (Eigen::Index r = 0; r < trials_.rows(); ++r) {
+    const auto trials = trials_.row(r);
+    double before = 0;
+    for (const double number : std::set<double>(trials.begin(), trials.end())) {
+      Eigen::Matrix2d common = Eigen::Matrix2d::Zero();
+      Eigen::Vector2d lower = Eigen::Vector2d::Zero();
+      for (const Level& level : levels) {
+        if (!(trials[level.column] >= number)) continue;
+        const Eigen::Matrix2d with_lower = level.above * lower * level.x.transpose();
+        common +=
+            level.above * level.below * level.x.transpose() + with_lower + with_lower.transpose();
+        lower += level.below;
+      }
+      sum += row_weight_[r] * (number - before) * common;
+      before = number;
     }
   }
   return sum;
@@ -306,7 +332,11 @@ BracketRecords::BracketRecords(const std::vector<CapacityBracket>& all, bool ind
     }
     const std::size_t record = independent ? rows.size() : row.record;
     const auto [at, is_new] = records.emplace(record, records.size());
-    rows.push_back({row.low, row.high, row.weight, row.weight * row.weight, at->second});
+    // So narrow a bracket is a capacity: a probability within it is lost in rounding.
+    const bool is_exact = row.low > 0 && row.high < (1 + 1e-5) * row.low;
+    const double middle = std::sqrt(row.low) * std::sqrt(row.high);
+    rows.push_back({is_exact ? middle : row.low, is_exact ? middle : row.high, row.weight,
+                    row.weight * row.weight, at->second});
     equal_weights_ = equal_weights_ && row.weight == rows.front().weight;
   }
   finish(std::move(rows), records.size());

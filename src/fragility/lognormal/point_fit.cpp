@@ -77,7 +77,7 @@ PointFit fit_point(const CapacityData& data, const ProbitLine& start) {
   const double variance = (data.sum_squares - mean * data.sum) / (data.count - 1);
   if (data.count < 2 || !(variance > 1e-24)) {
     return {FitStatus::one_capacity, ProbitLine(-mean, 1),
-            "one capacity: log_std cannot be determined"};
+            "the capacities are equal: log_std and intervals cannot be determined"};
   }
   return {FitStatus::maximum_likelihood, ProbitLine(-mean, 1) / std::sqrt(variance), ""};
 }

@@ -318,6 +318,18 @@ TEST(fit_brackets, corrects_importance_sampling_by_weights) {
   EXPECT_GT(fit.median_interval.high, 1.0);
 }
 
+// A probability within so narrow a bracket is lost in rounding: it failed from a width of 1e-7 on.
+TEST(fit_brackets, takes_a_bracket_without_width_for_a_capacity) {
+  for (const double width : {0.0, 1e-12, 1e-9, 1e-7, 1e-6}) {
+    std::vector<CapacityBracket> rows;
+    for (const double c : {0.5, 0.6, 0.8, 0.9})
+      rows.push_back({c * (1 - 0.5 * width), c * (1 + 0.5 * width)});
+    const FitSummary fit = fit_brackets(rows, true);
+    EXPECT_NEAR(fit.curve.log_std, 0.267811, 1e-6) << width;
+    EXPECT_NEAR(fit.median_interval.low, 0.4452, 1e-4) << width;
+  }
+}
+
 TEST(fit_brackets, names_what_it_cannot_fit) {
   EXPECT_EQ(fit_brackets({{1.0, infinity}, {2.0, infinity}}, true).status, FitStatus::lower_bound);
   EXPECT_EQ(fit_brackets({{0.0, 0.5}, {0.0, 1.0}}, true).status, FitStatus::upper_bound);
@@ -327,7 +339,7 @@ TEST(fit_brackets, names_what_it_cannot_fit) {
   const FitSummary exact = fit_brackets({{1.0, 1.0, 1.0, 0}, {2.0, 2.0, 0.0, 1}}, false);
   EXPECT_EQ(exact.status, FitStatus::one_capacity);
   EXPECT_EQ(exact.curve.median, 1.0);
-  EXPECT_EQ(exact.note, "one capacity: log_std cannot be determined");
+  EXPECT_EQ(exact.note, "the capacities are equal: log_std and intervals cannot be determined");
   EXPECT_EQ(fit_brackets({}, true).status, FitStatus::failed);
   EXPECT_THROW(fit_brackets({{2.0, 1.0}}, true), InputError);
   EXPECT_THROW(fit_brackets({{1.0, 1.0, 0.0}}, false), InputError);

@@ -20,12 +20,13 @@ using enum ConditionAxis;
 
 /// Walters et al. (2012), Fig. 8.
 Figure suite_figure(const Results& results) {
-  const SuiteSpectra& spectra = results.suites.front().spectra;
+  const SuiteSummary& suite = results.suites.front();
+  const SuiteSpectra& spectra = suite.spectra;
   const std::string as_scaled =
       spectra.reference_level > 0.0
           ? results.conditions->grid.level_symbol + " = " + level_number(spectra.reference_level)
-          : "scaled to MCE";
-  const SuiteSummary& suite = results.suites.front();
+      : suite.target.empty() ? "as given"
+                             : "scaled to MCE";
   const bool of_classes = suite.target.find("site classes") != std::string::npos;
   return spectra_figure(
       suite.spectra,

@@ -104,28 +104,33 @@ std::string prescribed_sentence(const Results& results, std::size_t standard) {
                              : format_length(target_m));
 }
 
-std::string length_or_none(const Estimate& length_m) {
-  return std::isinf(length_m.value) ? "without bound" : format_length(length_m.value);
+/// @param at_least it is a lower bound
+std::string length_or_none(const Estimate& length_m, bool at_least) {
+  return std::isinf(length_m.value) ? "without bound"
+                                    : (at_least ? "at least " : "") + format_length(length_m.value);
 }
 
 std::vector<std::string> life_sentences(const Results& results, const HazardRun& run) {
   const HazardResults& hazard = *results.hazard;
   const LifeDisplacement &single = run.life.at(0), &sum = run.life.at(1), &far = run.life.at(2);
   const DisplacementRate& least = run.curve.front();
+  const auto text_of = [&](const Estimate& length_m) {
+    return length_or_none(length_m, run.moving_share > 0.0);
+  };
   std::vector<std::string> all = {fmt::format(
       "In {} the array slides more than {} in one earthquake or more with a probability of {}{}.",
       life_text(hazard), format_length(least.displacement_m),
       least.below_share > 0.0 ? "at least " : "",
       format_share(probability_in(hazard.design_life_years, least.annual_rate.value)))};
-  all.push_back(far.p95_m.value == 0.0
+  all.push_back(far.p95_m.value == 0.0 && run.moving_share == 0.0
                     ? "The 95th percentile of the slip over " + life_text(hazard) + " is none."
                     : fmt::format("Slip over {}, {}: median {}, 95th percentile {} at the end; the "
                                   "largest peak of one earthquake: {} and {}; the largest distance "
                                   "from the initial position at any time: {} and {}.",
-                                  life_text(hazard), not_returned, length_or_none(sum.median_m),
-                                  length_or_none(sum.p95_m), length_or_none(single.median_m),
-                                  length_or_none(single.p95_m), length_or_none(far.median_m),
-                                  length_or_none(far.p95_m)));
+                                  life_text(hazard), not_returned, text_of(sum.median_m),
+                                  text_of(sum.p95_m), text_of(single.median_m),
+                                  text_of(single.p95_m), text_of(far.median_m),
+                                  text_of(far.p95_m)));
   if (!hazard.residual_vectors)
     all.push_back(
         "These results have no residual displacements (those of one axis "

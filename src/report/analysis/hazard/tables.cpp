@@ -22,7 +22,8 @@ Estimate period_of(const Estimate& rate) {
   return {1.0 / rate.value, {1.0 / rate.interval.high, 1.0 / rate.interval.low}};
 }
 
-const Column below_column{"below_share", "", "Below levels", ColumnKind::share, false, -1, true};
+const Column below_column{"below_share", "", "Below levels", ColumnKind::share, false, -1, true},
+    moving_column{"moving_share", "", "Moving", ColumnKind::share, false, -1, true};
 
 /// with_listed, and what the sign of a lower bound says where there is one.
 Table with_bounds(const Results& results, Table table) {
@@ -31,9 +32,9 @@ Table with_bounds(const Results& results, Table table) {
   };
   if (std::ranges::any_of(results.hazard->runs, slides))
     table.notes.push_back(
-        "> is a lower bound, without an interval: some histories (below_share) slide farther at "
-        "the lowest level already, and what weaker shaking adds is not known. Begin the levels "
-        "lower.");
+        "> is a lower bound, without an interval: at the lowest level some histories slide farther "
+        "already (below_share; over a life: at all, moving_share), and what weaker shaking adds is "
+        "not known. Begin the levels lower.");
   return with_listed(results, table);
 }
 
@@ -186,7 +187,7 @@ Table life_distribution_table(const Results& results) {
                text_column("quantity", "Slip"),
                {"probability", "", "Share of the lives", ColumnKind::share},
                {"displacement", "m", "Displacement, m (in)", ColumnKind::length},
-               below_column},
+               moving_column},
               {},
               {kept_over_life}};
   for (const HazardRun& run : results.hazard->runs)
@@ -217,7 +218,9 @@ Table shown_design_life_table(const Results& results) {
     }
     table.add(std::move(row));
   }
-  table.notes = {"The medians are " +
+  const bool bound =
+      std::ranges::any_of(hazard.runs, [](const HazardRun& run) { return run.moving_share > 0.0; });
+  table.notes = {std::string(bound ? "The medians, lower bounds, are " : "The medians are ") +
                      (median_m == 0.0        ? "all 0"
                       : std::isinf(median_m) ? "in part beyond the levels"
                                              : "at most " + format_length(median_m)) +
@@ -235,7 +238,7 @@ Table design_life_table(const Results& results) {
                {"median", "m", "Median, m (in) [95 %, m]", ColumnKind::length, true},
                {"p84", "m", "84th percentile, m (in) [95 %, m]", ColumnKind::length, true},
                {"p95", "m", "95th percentile, m (in) [95 %, m]", ColumnKind::length, true},
-               below_column},
+               moving_column},
               {},
               {kept_over_life}};
   for (const HazardRun& run : results.hazard->runs) {

@@ -194,7 +194,7 @@ void add_design_life(const HazardConfig& hazard, const Results& results, CaseSli
     std::array<Estimate, 3> life;
     for (std::size_t p = 0; p < probabilities.size(); ++p) {
       life[p].value = found[q][p];
-      if (std::isinf(found[q][p])) continue;  // no interval
+      if (std::isinf(found[q][p]) || run.moving_share > 0.0) continue;  // no interval
       const Interval interval = bootstrap_interval(
           records, [&](const std::vector<double>& weights) { return resampled(weights)[q][p]; },
           few);
