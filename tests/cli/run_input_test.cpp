@@ -86,12 +86,6 @@ TEST_F(RunInput, sobol_points_not_a_power_of_two_are_reported_with_the_neighbour
 TEST_F(RunInput, a_missing_key_is_reported) {
   expect_study_refused("mu = { mean = 0.3, std = 0.03 }\n", "", {"friction.mu is missing"});
 }
-TEST_F(RunInput, a_key_of_the_earlier_grammar_is_reported_with_the_new_one) {
-  expect_study_refused("mu = {", "mean = 0.3\nmu = {",
-                       {"study.toml:16", "friction.mean", "friction.mu = { mean"});
-  expect_study_refused("[fragility]", "[clearance]",
-                       {"study.toml:24", "clearance.thresholds_m", "[fragility]"});
-}
 TEST_F(RunInput, a_missing_suite_is_reported) {
   expect_study_refused("synthetic_level0", "synthetic_level9",
                        {"study.toml:6", "synthetic_level9.toml"});

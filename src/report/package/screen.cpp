@@ -6,6 +6,7 @@
 #include "glissade/core/wrap.hpp"
 #include "glissade/report/format.hpp"
 #include "glissade/report/package.hpp"
+#include "glissade/study/plan/one_mass.hpp"
 #include "package/tables.hpp"
 #include "package/units.hpp"
 
@@ -52,9 +53,13 @@ std::string demand_lines(const CalculationPackage& package) {
 
 std::string governing_lines(const CalculationPackage& package) {
   const DesignClearance& design = package.design;
-  std::string text = "\n" + line("Analysis", fmt::format("{:g} x the largest {}: {}", design.factor,
-                                                         design.of_largest ? "record" : "mean",
-                                                         length_in_both(design.analysis_m)));
+  const ProjectBuilding& building = package.project.building;
+  const bool is_too_little = !one_mass_sentence(building.storeys, building.period_s.back()).empty();
+  const std::string analysis = length_in_both(design.analysis_m) +
+                               (is_too_little ? "; too little: one mass (see WARNING)" : "");
+  std::string text =
+      "\n" + line("Analysis", fmt::format("{:g} x the largest {}: {}", design.factor,
+                                          design.of_largest ? "record" : "mean", analysis));
   for (const PrescribedValue& value : design.prescribed) {
     text += fmt::format("{:<15}prescribes {}; {}\n", standard_name(value.standard),
                         length_in_both(value.prescribed.value_m),
@@ -67,8 +72,7 @@ std::string governing_lines(const CalculationPackage& package) {
   text += line("GOVERNING", fmt::format("{}, rounded up to {}", length_in_both(design.governing_m),
                                         length_in_both(design.rounded_m)));
   text += line("", "by " + governed_by(package));
-  if (design.floor_governs)
-    text += line("", "after peer review the analysis alone: " + length_in_both(design.analysis_m));
+  if (design.floor_governs) text += line("", "after peer review the analysis alone: " + analysis);
   return text;
 }
 
