@@ -482,7 +482,7 @@ Records::Scores BracketRecords::scores(const ProbitLine& line) const {
 
 /// The information, but for weights that differ: these may belong to large scores.
 Eigen::Matrix2d BracketRecords::score_variance(const ProbitLine& line) const {
-  const Eigen::Matrix2d information = evaluate(line).information;
+  Eigen::Matrix2d information = evaluate(line).information;
   if (equal_weights_) return information;
   Eigen::Matrix2d plain = Eigen::Matrix2d::Zero(), weighted = plain;
   for (const Row& row : rows_) {
