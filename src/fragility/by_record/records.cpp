@@ -332,11 +332,10 @@ BracketRecords::BracketRecords(const std::vector<CapacityBracket>& all, bool ind
     }
     const std::size_t record = independent ? rows.size() : row.record;
     const auto [at, is_new] = records.emplace(record, records.size());
-    // So narrow a bracket is a capacity: a probability within it is lost in rounding.
+    // So narrow a bracket is a capacity, its lower end: a probability within it is lost in rounding.
     const bool is_exact = row.low > 0 && row.high < (1 + 1e-5) * row.low;
-    const double middle = std::sqrt(row.low) * std::sqrt(row.high);
-    rows.push_back({is_exact ? middle : row.low, is_exact ? middle : row.high, row.weight,
-                    row.weight * row.weight, at->second});
+    rows.push_back({row.low, is_exact ? row.low : row.high, row.weight, row.weight * row.weight,
+                    at->second});
     equal_weights_ = equal_weights_ && row.weight == rows.front().weight;
   }
   finish(std::move(rows), records.size());

@@ -42,7 +42,7 @@ std::string to_string(FitStatus status) {
 double stripe_log_likelihood(const std::vector<Stripe>& stripes, const FragilityCurve& curve) {
   check(stripes, "stripes");
   const StripeData data = to_data(stripes);
-  double sum = stripe_likelihood(data, to_line(curve, data.center)).value;
+  double sum = fragility::stripe_log_likelihood(data, to_line(curve, data.center));
   for (const Stripe& s : stripes) {
     sum += log_gamma(s.trials + 1) - log_gamma(s.exceedances + 1) -
            log_gamma(s.trials - s.exceedances + 1);

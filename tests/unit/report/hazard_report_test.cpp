@@ -99,6 +99,8 @@ TEST(hazard_report, marks_what_rests_on_shaking_below_the_levels) {
   EXPECT_THAT(answer_sentences(r), Contains(states("or more", "20 %", "begin the levels lower")));
   EXPECT_THAT(answer_sentences(r),
               Contains(states("SEAOC PV1-2012", "at least 4.9 %", "at least")));
+  for (HazardRun& run : r.hazard->runs) run.curve.front() = {0.1, {1e-4, {}}, 0.4};
+  EXPECT_THAT(answer_sentences(r), Contains(states("SEAOC PV1-2012", "an unknown displacement")));
   const Figure figure = figure_named(make_figures(r), "hazard");
   for (const DataSeries& line : figure.panels.at(0).series) EXPECT_TRUE(line.x.empty());
 }

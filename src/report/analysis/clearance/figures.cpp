@@ -153,17 +153,16 @@ Figure yielding_figure(const Results& results) {
     family.add_numbers("building of " + label_of(grid, period, i), family_look(i, buildings.size()),
                        ratios);
   }
-  const std::string reference =
-      label_of(grid, response_modification, with_reference_strength(grid, buildings.front()));
+  const std::string reference = reference_strength_text(grid);
   family.add_level(1.0, reference, look(Role::reference));
   return {"yielding", "Effect of a yielding building on the displacement",
           below_text(results, {response_modification}),
           after_walters(
               results, 15,
-              ", over the same on the building of the horizontal line (" + reference +
-                  "). At R the building yields where the design spectrum requires an elastic force "
+              ", over the same on " + reference +
+                  ". At R the building yields where the design spectrum requires an elastic force "
                   "R times as large; 0 is elastic"),
-          family.ratios("Displacement over that of " + reference)};
+          family.ratios("Displacement over that on " + reference)};
 }
 
 /// Fig. 17: displacement over slope by period.

@@ -145,10 +145,8 @@ std::string level_reading(const Results& r) {
 std::string yielding_reading(const Results& r) {
   const ConditionGrid& grid = r.conditions->grid;
   std::vector<std::string> buildings;
-  std::string name;
   for (const Condition& building : shown_along(grid, ConditionAxis::period)) {
     const Condition reference = with_reference_strength(grid, building);
-    name = label_of(grid, ConditionAxis::response_modification, reference);
     std::vector<std::string> parts;
     for (const Condition& at : along(grid, ConditionAxis::response_modification, building)) {
       if (at[ConditionAxis::response_modification] ==
@@ -162,8 +160,8 @@ std::string yielding_reading(const Results& r) {
                                     fmt::join(parts, ", ")));
   }
   return fmt::format(
-      "Displacement over that of {} (median over the orientations and their range). {}.", name,
-      fmt::join(buildings, "; "));
+      "Displacement over that on {} (median over the orientations and their range). {}.",
+      reference_strength_text(grid), fmt::join(buildings, "; "));
 }
 
 std::string slope_reading(const Results& r) {

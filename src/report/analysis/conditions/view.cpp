@@ -160,6 +160,12 @@ Condition with_reference_strength(const ConditionGrid& grid, Condition at) {
                  place == r.end() ? 0 : static_cast<std::size_t>(place - r.begin()));
 }
 
+std::string reference_strength_text(const ConditionGrid& grid) {
+  const Condition reference = with_reference_strength(grid, shown_condition(grid));
+  const double r = grid.response_modification[reference[ConditionAxis::response_modification]];
+  return r == 0.0 ? "the elastic building" : "the building of R = " + value_text(r);
+}
+
 std::string orientation_text(const Results& results, const Orientation& orientation) {
   const std::string text = to_string(orientation);
   return slides_on_two_axes(results) ? text : text.substr(0, text.find(", across"));

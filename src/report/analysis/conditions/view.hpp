@@ -41,6 +41,8 @@ std::string orientation_text(const Results& results, const Orientation& orientat
 /// The same with the strength that displacements of yielding buildings are divided by: R = 1 where
 /// it is listed (Walters et al. 2012, Fig. 15), else the first.
 Condition with_reference_strength(const ConditionGrid& grid, Condition at);
+/// "the building of R = 1", "the elastic building"
+std::string reference_strength_text(const ConditionGrid& grid);
 
 bool has_several(const ConditionGrid& grid, ConditionAxis axis);
 /// Where a kind of support stands on its axis, if it is there.

@@ -99,7 +99,7 @@ std::string prescribed_sentence(const Results& results, std::size_t standard) {
           ? " (most often: " + run_name(results, results.runs[most]) + ")"
           : "",
       target.below_share > 0.0 && std::isfinite(target_m) ? "at least " : "",
-      std::isnan(target_m)   ? "less than the levels show"
+      std::isnan(target_m)   ? "an unknown displacement (the levels begin too high)"
       : std::isinf(target_m) ? "more than the levels reach"
                              : format_length(target_m));
 }
