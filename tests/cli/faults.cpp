@@ -6,7 +6,7 @@
 //   FAULT_CALLS=pwrite,fsync       of these functions only, which may be read and pread too
 //   FAULT_IN=out/journal           of those in paths with these words
 //   FAULT_COUNT=FILE               how many such calls there were of each function
-//   FAULT_MEMORY=1                 no more memory once a file of these is flushed to the disk
+//   FAULT_MEMORY=64                so many KB of memory once a file of these is flushed to the disk
 //   FAULT_CLOCK=1                  the time of day jumps by days between two calls
 //   FAULT_FREE_MB=10               so much room every disk has
 //   FAULT_THREADS=2                no thread can be started from the second on
@@ -50,7 +50,7 @@ long number(const char* name) {
 
 /// No more address space than the process has now, but for its stack, and nothing large of that
 /// free.
-void end_memory() {
+void end_memory(long left_kb) {
   static bool has_ended = false;
   if (has_ended) return;
   has_ended = true;
@@ -61,11 +61,13 @@ void end_memory() {
   constexpr rlim_t stack_bytes = 256 << 10;
   rlimit limit = {};
   getrlimit(RLIMIT_AS, &limit);
-  limit.rlim_cur = atol(pages) * sysconf(_SC_PAGESIZE) + stack_bytes;
+  limit.rlim_cur = atol(pages) * sysconf(_SC_PAGESIZE) + stack_bytes + (left_kb << 10);
   setrlimit(RLIMIT_AS, &limit);
+  void* const left = malloc(left_kb << 10);
   constexpr size_t large_bytes = 16 << 10;
   void* volatile taken = malloc(large_bytes);
   while (taken != nullptr) taken = malloc(large_bytes);
+  free(left);
 }
 
 /// Whether a word stands in a list with commas.
@@ -174,7 +176,7 @@ ssize_t pread(int fd, void* data, size_t size, off_t at) {
 ssize_t pread64(int fd, void* data, size_t size, off64_t at) { return pread(fd, data, size, at); }
 int fsync(int fd) {
   if (!is_meant(fd)) return next<int (*)(int)>("fsync")(fd);
-  if (number("FAULT_MEMORY") != 0) end_memory();
+  if (number("FAULT_MEMORY") != 0) end_memory(number("FAULT_MEMORY"));
   return fails("fsync") ? -1 : next<int (*)(int)>("fsync")(fd);
 }
 int ftruncate(int fd, off_t size) noexcept {

@@ -339,8 +339,8 @@ TEST_F(Faults,
 }
 
 // The journals are flushed to the disk before the results are made of them. How far the run comes
-// without more memory depends on what it has free by then.
-TEST_F(Faults, memory_that_ends_after_the_histories_never_leaves_a_run_that_is_started) {
+// without more memory depends on what it has free by then; HDF5 can end it by a signal.
+TEST_F(Faults, memory_that_ends_after_the_histories_leaves_a_run_that_can_be_resumed) {
   const std::string study =
       folder_->write("large.toml", replaced(short_study(), "samples = 2", "samples = 256"));
   const fs::path whole = folder_->path("whole");
@@ -348,16 +348,18 @@ TEST_F(Faults, memory_that_ends_after_the_histories_never_leaves_a_run_that_is_s
   const Finished failed = run_shell(
       "FAULT_MEMORY=1 FAULT_IN=.units LD_PRELOAD=" GLISSADE_FAULTS_LIBRARY " \"$0\" run '" + study +
       "' --out '" + again_.string() + "'");
-  EXPECT_EQ(failed.status, 2) << failed.err;
+  ASSERT_GE(failed.status, 2) << failed.err;
   const auto json = nlohmann::json::parse(read_file(again_ / "run.json"));
   if (json.at("status") == "stopped") {
     EXPECT_FALSE(fs::exists(again_ / "results.h5"));
     EXPECT_EQ(json.at("what_to_do"), "glissade run --resume " + again_.string());
-    const Finished resumed = run_program({"run", "--resume", again_.string()});
-    EXPECT_EQ(resumed.status, 0) << resumed.err;
-  } else {
+  } else if (failed.status == 2) {
     EXPECT_EQ(json.at("status"), "results written, report missing");
+  } else {
+    EXPECT_NE(json.at("status"), "finished");
   }
+  const Finished resumed = run_program({"run", "--resume", again_.string()});
+  EXPECT_EQ(resumed.status, 0) << resumed.err;
   EXPECT_TRUE(read_file(again_ / "results.h5") == read_file(whole / "results.h5"));
 }
 
