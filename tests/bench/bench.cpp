@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Run time against error: of the sliding schemes on one axis, of those for a coupled building and
-// for two axes, and of a whole fragility. See README.md in this folder.
+// Run time against error: of the sliding schemes on one axis and on two, and of a whole fragility.
+// See README.md in this folder.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -9,7 +9,6 @@
 #include <fstream>
 #include <iostream>
 
-#include "coupled_precision.hpp"
 #include "figures.hpp"
 #include "glissade/core/file.hpp"
 #include "max_pass.hpp"
@@ -109,25 +108,6 @@ bool show_trial(const std::string& name, const std::string& title,
   return show(trial_table(name, title, results), out);
 }
 
-bool bench_coupled(const Options& options) {
-  const test::StandardScenes all = scenes(options);
-  const std::vector<SchemeResult> results = coupled_precision(all, options.scenes, options.quick);
-  bool good =
-      show_trial("coupled",
-                 "Coupled array and building: time of a history of 8,000 "
-                 "samples against its error, on " +
-                     all.motions,
-                 results, "Error in peak slip over run time: building and array coupled, one axis",
-                 options.out);
-  for (const SchemeResult& r : results) {
-    if (!r.family.starts_with("coupled_slip") || r.largest_error <= 1e-10) continue;
-    std::cerr << fmt::format("bench: {} is off by {}: {}\n", r.family, r.largest_error,
-                             r.worst_scene);
-    good = false;
-  }
-  return good;
-}
-
 bool bench_two_axes(const Options& options) {
   const test::StandardScenes all = scenes(options);
   return show_trial(
@@ -181,7 +161,7 @@ int main(int argc, char** argv) try {
   program.add_flag("--quick", options.quick,
                    "a smoke test of some seconds: few scenes and samples");
   program.add_option("--only", options.only, "one of them")
-      ->check(CLI::IsMember({"schemes", "coupled", "two_axes", "fragility", "studies"}));
+      ->check(CLI::IsMember({"schemes", "two_axes", "fragility", "studies"}));
   program.add_option("--scenes", options.scenes, "scenes on which all schemes are compared")
       ->check(CLI::PositiveNumber);
   program.add_option("--log2-samples", options.fragility.most_log2, "largest number of samples")
@@ -202,7 +182,6 @@ int main(int argc, char** argv) try {
     return options.only.empty() || options.only == part;
   };
   if (wanted("schemes")) good &= bench_schemes(options);
-  if (wanted("coupled")) good &= bench_coupled(options);
   if (wanted("two_axes")) good &= bench_two_axes(options);
   if (wanted("fragility")) good &= bench_fragility(options);
   if (wanted("studies") && !options.quick) good &= bench_studies(options);

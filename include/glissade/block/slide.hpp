@@ -20,7 +20,7 @@ struct Block {
   double slope_rad = 0.0;  ///< in (-pi/2, pi/2); positive: the surface falls toward +x
   SlipDirections directions = SlipDirections::both;
   double gravity_mps2 = standard_gravity_mps2;  ///< > 0
-  FrictionLaw law;  ///< Coulomb's law, except in slide_coupled() and coupled_slip(), which accept a
+  FrictionLaw law;  ///< Coulomb's law, except in slide_coupled(), which accepts a
                     ///< static_over_sliding
 };
 

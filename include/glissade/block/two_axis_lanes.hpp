@@ -38,7 +38,7 @@ double srss_of_maxima_m(const TwoAxisPeak& peak);
 /// which is tabulated for each building. How a block starts is a series of its own, how it stops is
 /// known in closed form (two_axis.hpp); between the two, steps too stiff for the lanes are SDIRK4.
 /// Errors at the default tolerance, measured as those of slide_on_building(): 2.2e-7 of the peak in
-/// the median, 4.6e-6 at most without uplift, below 3e-5 with it (two_axis_lanes_test).
+/// the median, 4.6e-6 at most without uplift, below 1e-4 with it (two_axis_lanes_test, model_test).
 ///
 /// The same bits on every SIMD target, in any order and whatever else is in the batch; but scenes
 /// on one building share its table, so give the levels and blocks of a building together.

@@ -31,23 +31,6 @@ class Spring {
   /// x where the force is zero.
   double offset(double x) const { return (1.0 - alpha_) * plastic(x); }
   double limit() const { return limit_; }
-  /// Where it is between its events: the force at the middle of its elastic range, the side on
-  /// which it yields, that on which it has just unloaded; 0: neither.
-  struct State {
-    double hardened = 0.0;
-    int side = 0, unloaded = 0;
-  };
-  State state(double x) const { return {alpha_ * plastic(x), direction_, 0}; }
-  /// @return x
-  double set_state(const State& state, double force) {
-    if (!yields()) return force;
-    direction_ = state.side;
-    z_ = state.side != 0 || state.unloaded != 0 ? (state.side + state.unloaded) * limit_
-                                                : force - state.hardened;
-    return z_ + (alpha_ > 0.0 ? (force - z_) / alpha_ : 0.0);
-  }
-  /// Of the building's frequency with the stiffness of now to the elastic one.
-  double frequency_ratio() const { return yielding() ? std::sqrt(alpha_) : 1.0; }
   /// Elastic energy, per mass.
   double stored_m2ps2(double x, double per_omega_s) const {
     const double u = x * per_omega_s, z = (x - plastic(x)) * per_omega_s;

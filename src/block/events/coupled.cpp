@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "block/events/coupled_walk.hpp"
+#include "block/events/coupled_body.hpp"
 #include "block/events/sampled_motion.hpp"
 #include "glissade/building/rigid.hpp"
 #include "glissade/core/contract.hpp"
@@ -55,21 +55,20 @@ void ring_down(CoupledBody& body, const SampledMotion& ground, std::size_t quiet
   }
 }
 
-}  // namespace
-
-void block_detail::require_finite_scene(const CoupledBuilding& building, const Block& block,
-                                        const MotionFactors& factors) {
+void require_finite_scene(const CoupledBuilding& building, const Block& block,
+                          const MotionFactors& factors) {
   require_finite({building.horizontal.period_s, building.horizontal.damping_ratio,
                   building.mass_ratio, building.yielding.hardening_ratio},
                  "period, damping, mass ratio, hardening");
   require_no_nan(building.yielding.yield_acceleration_mps2, "yield acceleration");
-  require_block(block);
+  block_detail::require_block(block);
   require_acceleration({factors.horizontal, factors.vertical}, "the factors");
 }
 
-CoupledResult block_detail::walk_coupled(const GroundMotion& motion, const MotionFactors& factors,
-                                         const CoupledBuilding& building, const Block& block,
-                                         const CoupledWatch& watch) {
+CoupledResult walk(const GroundMotion& motion, const MotionFactors& factors,
+                   const CoupledBuilding& building, const Block& block,
+                   std::span<const double> thresholds_m, std::span<Crossing> crossings,
+                   CoupledBody::History history) {
   require_finite_scene(building, block, factors);
   GLISSADE_EXPECTS(block.law.static_over_sliding >= 1.0 && !block.law.depends_on_speed());
   GLISSADE_EXPECTS(building.horizontal.period_s >= 0.0 && building.horizontal.damping_ratio >= 0.0);
@@ -83,9 +82,9 @@ CoupledResult block_detail::walk_coupled(const GroundMotion& motion, const Motio
   require_no_rigid_spring(building.horizontal, spring, motion.dt_s);
   GLISSADE_EXPECTS(spring.yield_acceleration_mps2 > 0.0);
   GLISSADE_EXPECTS(spring.hardening_ratio >= 0.0 && spring.hardening_ratio < 1.0);
-  CoupledBody body(contact, subdivision.building, block, watch.keeps, spring);
-  body.keep(watch.history);
-  body.crossings() = {watch.thresholds_m, watch.crossings, contact.cos_slope()};
+  CoupledBody body(contact, subdivision.building, block, spring);
+  body.keep(std::move(history));
+  body.crossings() = {thresholds_m, crossings, contact.cos_slope()};
 
   const std::size_t n =
       contact.slides_at_rest() ? ground.size() : ground.size_without_trailing_zeros();
@@ -99,6 +98,8 @@ CoupledResult block_detail::walk_coupled(const GroundMotion& motion, const Motio
   return result;
 }
 
+}  // namespace
+
 bool coupling_is_regular(const Block& block, double mass_ratio) {
   const CoupledContact contact(block, mass_ratio);
   return mass_ratio >= 0.0 && contact.sliding_down().mass > 0.0;
@@ -107,8 +108,7 @@ bool coupling_is_regular(const Block& block, double mass_ratio) {
 CoupledResult slide_coupled(const GroundMotion& ground, const MotionFactors& factors,
                             const CoupledBuilding& building, const Block& block,
                             std::span<const double> thresholds_m, std::span<Crossing> crossings) {
-  return block_detail::walk_coupled(ground, factors, building, block,
-                                    {.thresholds_m = thresholds_m, .crossings = crossings});
+  return walk(ground, factors, building, block, thresholds_m, crossings, {});
 }
 
 CoupledResult slide_coupled(const GroundMotion& ground, const MotionFactors& factors,
@@ -122,7 +122,7 @@ CoupledResult slide_coupled(const GroundMotion& ground, const MotionFactors& fac
     point.spring_acceleration_mps2 *= to_axes_of_x;
     history.push_back(point);
   };
-  return block_detail::walk_coupled(ground, factors, building, block, {.history = keep});
+  return walk(ground, factors, building, block, {}, {}, keep);
 }
 
 }  // namespace glissade

@@ -14,11 +14,10 @@ constexpr int most_events = 64;  // in a piece of 1/16 period: some ten occur
 }  // namespace
 
 CoupledBody::CoupledBody(const CoupledContact& contact, const BuildingOscillator& building,
-                         const Block& block, Keeps keeps, const Yielding& yielding)
+                         const Block& block, const Yielding& yielding)
     : contact_(contact),
       building_(building),
       block_(block),
-      keeps_(keeps),
       has_static_friction_(block.law.static_over_sliding > 1.0 && block.friction > 0.0),
       energy_(building, contact),
       spring_(yielding) {}
@@ -119,17 +118,14 @@ void CoupledBody::pass(const GroundPiece& ground, const RoofMotionSeries& roof,
   const auto raise = [fraction](double& peak, const Series& of) {
     if (of.bound() > peak) peak = std::max(peak, largest(of, fraction));
   };
-  raise(peaks_.resisting_mps2, roof.resisting);
-  raise(peaks_.x_mps2, roof.x);
-  if (keeps_ == Keeps::all) {
-    raise(result_.peak_roof_acceleration_mps2, roof.a);
-    energy_.add(ground, roof, slip, fraction);
-  }
+  raise(peak_resisting_mps2_, roof.resisting);
+  raise(peak_x_mps2_, roof.x);
+  raise(result_.peak_roof_acceleration_mps2, roof.a);
+  energy_.add(ground, roof, slip, fraction);
   result_.slip.uplift |= lifted_;
   if (direction_ != 0) {
     double& peak = result_.slip.peak_velocity_mps;
-    if (keeps_ == Keeps::all && slip.speed.bound() > peak)
-      peak = std::max(peak, highest(slip.speed, fraction));
+    if (slip.speed.bound() > peak) peak = std::max(peak, highest(slip.speed, fraction));
     const double begin = slip_;
     slip_ += direction_ * std::max(slip.speed.integral(ground.length_s, 0.0).at(fraction), 0.0);
     if (crossings_.reached(slip_))
@@ -197,37 +193,6 @@ void CoupledBody::stop() {
   farthest_up_ = std::min(farthest_up_, slip_);
 }
 
-CoupledBody::State CoupledBody::state() const {
-  const double ratio = spring_.frequency_ratio();
-  return {.roof = {spring_.force(roof_.x), ratio > 0.0 ? ratio * roof_.y : roof_.y},
-          .spring = spring_.state(roof_.x),
-          .direction = direction_,
-          .speed = speed_,
-          .slip = slip_,
-          .farthest_down = farthest_down_,
-          .farthest_up = farthest_up_,
-          .slip_duration_s = result_.slip.slip_duration_s,
-          .slip_phases = result_.slip.slip_phases,
-          .time_s = time_,
-          .drive_is_zero = after_.drive_is_zero,
-          .stopped_direction = after_.stopped_direction};
-}
-
-void CoupledBody::set_state(const State& state) {
-  roof_.x = spring_.set_state(state.spring, state.roof.x);
-  const double ratio = spring_.frequency_ratio();
-  roof_.y = ratio > 0.0 ? state.roof.y / ratio : state.roof.y;
-  direction_ = state.direction;
-  speed_ = state.speed;
-  slip_ = state.slip;
-  farthest_down_ = state.farthest_down;
-  farthest_up_ = state.farthest_up;
-  result_.slip.slip_duration_s = state.slip_duration_s;
-  result_.slip.slip_phases = state.slip_phases;
-  time_ = state.time_s;
-  after_ = {.drive_is_zero = state.drive_is_zero, .stopped_direction = state.stopped_direction};
-}
-
 void CoupledBody::record(const GroundPiece& ground) const {
   if (!history_) return;
   const ContactRegime now = regime();
@@ -281,11 +246,11 @@ CoupledResult CoupledBody::result() const {
   r.slip.peak_displacement_m = std::max(r.slip.peak_downslope_m, r.slip.peak_upslope_m);
   r.slip.residual_displacement_m = slip_ * cosine;
   r.slip.peak_velocity_mps *= cosine;
-  r.peak_base_shear = peaks_.resisting_mps2 / contact_.gravity();
-  r.ductility = peaks_.x_mps2 / spring_.limit();
+  r.peak_base_shear = peak_resisting_mps2_ / contact_.gravity();
+  r.ductility = peak_x_mps2_ / spring_.limit();
   if (!building_.rigid()) {
     const double square = building_.omega_radps * building_.omega_radps;
-    r.peak_roof_displacement_m = peaks_.x_mps2 / square;
+    r.peak_roof_displacement_m = peak_x_mps2_ / square;
     r.residual_roof_displacement_m = spring_.offset(roof_.x) / square;
   }
   r.energy = energy_.total(roof_, spring_, direction_ * speed_ + velocity_before_coast_);

@@ -19,11 +19,8 @@ class CoupledBody {
  public:
   using History = std::function<void(const CoupledPoint&)>;
 
-  /// Also the energy and the peaks of slip speed and roof acceleration, or only CoupledPeak's.
-  enum class Keeps { all, peaks };
-
   CoupledBody(const CoupledContact& contact, const BuildingOscillator& building, const Block& block,
-              Keeps keeps, const Yielding& yielding = {});
+              const Yielding& yielding = {});
   void keep(History history) { history_ = std::move(history); }
   CoupledCrossings& crossings() { return crossings_; }
 
@@ -31,30 +28,6 @@ class CoupledBody {
   /// The roof is at rest from now on.
   void coast();
 
-  /// Between two pieces: what a motion computed elsewhere needs to go on here, and back.
-  struct State {
-    /// Of an elastic building with the spring's stiffness of now, displaced from where the force
-    /// is zero: x is the force.
-    RoofState roof;
-    Spring::State spring;
-    int direction = 0;
-    double speed = 0.0, slip = 0.0, farthest_down = 0.0, farthest_up = 0.0, slip_duration_s = 0.0;
-    std::size_t slip_phases = 0;
-    double time_s = 0.0;
-    // As AfterEvent.
-    bool drive_is_zero = false;
-    int stopped_direction = 0;
-  };
-  State state() const;
-  void set_state(const State& state);
-  /// Largest |E| and |x| so far.
-  struct Peaks {
-    double resisting_mps2 = 0.0, x_mps2 = 0.0;
-  };
-
-  double yield_mps2() const { return spring_.limit(); }
-  double speed() const { return speed_; }
-  bool has_lifted() const { return lifted_ || result_.slip.uplift; }
   bool slides_at_rest() const { return contact_.at_rest().slides_at_rest(); }
   bool sliding() const { return direction_ != 0; }
   /// While the block stays where it is and the ground is quiet.
@@ -117,7 +90,6 @@ class CoupledBody {
   CoupledContact contact_;
   BuildingOscillator building_;
   Block block_;
-  Keeps keeps_;
   bool has_static_friction_;  // above the friction of sliding
   History history_;
   EnergyMeter energy_;
@@ -133,7 +105,7 @@ class CoupledBody {
 
   double velocity_before_coast_ = 0.0;  // the energy balance ends there
   double farthest_down_ = 0.0, farthest_up_ = 0.0;
-  Peaks peaks_;
+  double peak_resisting_mps2_ = 0.0, peak_x_mps2_ = 0.0;  // largest |E| and |x|
   CoupledResult result_;
 };
 

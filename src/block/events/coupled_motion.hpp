@@ -65,7 +65,7 @@ struct BuildingOscillator {
 };
 
 /// Into how many pieces, of longest_phase at most, an interval of this phase is divided: a power of
-/// two, so that buildings share ground tables of equal step (coupled_slip.cpp).
+/// two.
 inline double pieces_of(double phase) {
   return std::exp2(std::max(0.0, std::ceil(std::log2(phase / longest_phase))));
 }
@@ -136,11 +136,5 @@ struct RoofMotionSeries {
 RoofMotionSeries roof_motion_series(const BuildingOscillator& building, const ContactRegime& regime,
                                     double gravity_mps2, const RoofState& from,
                                     const SpringLine& spring, const GroundPiece& ground);
-/// With an elastic spring.
-inline RoofMotionSeries roof_motion_series(const BuildingOscillator& building,
-                                           const ContactRegime& regime, double gravity_mps2,
-                                           const RoofState& from, const GroundPiece& ground) {
-  return roof_motion_series(building, regime, gravity_mps2, from, {from.x, 1.0}, ground);
-}
 
 }  // namespace glissade::block_detail

@@ -5,12 +5,12 @@
 #include <cmath>
 #include <type_traits>
 
-#include "block/contact/scaled_block.hpp"
 #include "block/events/sliding_block.hpp"
 #include "block/polynomial/linear_piece.hpp"
 #include "block/polynomial/quartic_piece.hpp"
 #include "block/slip_record/crossing_watch.hpp"
 #include "block/tables/event_bounds.hpp"
+#include "block/tables/scaled_block.hpp"
 #include "glissade/block/peak_slip.hpp"
 #include "glissade/core/finite.hpp"
 

@@ -56,11 +56,8 @@ double history_us(Kernel kernel, const StudyConfig& config) {
     case Kernel::tables:
       return 7.0;
     case Kernel::coupled:
-      return c.yields() ? 300.0 : 100.0;
-    case Kernel::full: {
-      const bool in_lanes = !config.base_shear && !c.yields() && c.law.is_coulomb();
-      return in_lanes ? 200.0 : 2000.0;
-    }
+    case Kernel::full:
+      return config.base_shear || c.yields() || !c.law.is_coulomb() ? 2000.0 : 200.0;
   }
   return 0.0;
 }
@@ -70,7 +67,8 @@ std::string describe(Kernel kernel, bool base_shear) {
     case Kernel::tables:
       return "one axis over tables of the roof's motion: exact events (peak_slip)";
     case Kernel::coupled:
-      return "one axis, coupled building and array: exact events over tables (coupled_slip)";
+      return "one axis, coupled building and array: error-controlled (slide_two_axes), or exact "
+             "events where the building yields or friction is stronger at rest (slide_coupled)";
     case Kernel::full:
       return std::string("full model: two axes, coupled, error-controlled (") +
              (base_shear ? "slide_on_building, which gives base shear)" : "slide_two_axes)");

@@ -236,7 +236,7 @@ double Plan::predicted_seconds() const {
   return 1e-6 * us;
 }
 
-double units_wanted(Kernel kernel) { return kernel == Kernel::full ? 256.0 : 512.0; }
+double units_wanted(Kernel kernel) { return kernel == Kernel::tables ? 512.0 : 256.0; }
 
 std::vector<std::size_t> longest_first(const Plan& plan, std::size_t block) {
   const std::size_t begin = block == 0 ? 0 : plan.unit_ends[block - 1];

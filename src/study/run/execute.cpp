@@ -148,9 +148,9 @@ UnitResult execute(const Plan& plan, std::size_t unit_index, RoofStore& roofs) {
   UnitResult result;
   result.unit = unit_index;
   const std::uint64_t roofs_before = roofs.roofs_made();
-  // The full model fills SIMD lanes with the histories of several cases: lanes that are done wait
-  // for others only at the end of all.
-  const std::size_t together = plan.kernel.kernel == Kernel::full ? 64 : 1;
+  // SIMD lanes are filled with the histories of several cases: those that are done wait for others
+  // only at the end of all.
+  const std::size_t together = plan.kernel.kernel == Kernel::tables ? 1 : 64;
   const auto thresholds =
       KeptFields(plan.config).crossings ? plan.config.thresholds_m() : std::span<const double>();
   for (CasesOfUnit of_unit(plan, plan.units[unit_index], roofs); !of_unit.at_end();) {

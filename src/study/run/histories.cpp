@@ -7,7 +7,7 @@
 #include <map>
 #include <optional>
 
-#include "glissade/block/coupled_slip.hpp"
+#include "glissade/block/coupled.hpp"
 #include "glissade/block/tipping.hpp"
 #include "glissade/core/contract.hpp"
 #include "glissade/core/finite.hpp"
@@ -67,14 +67,7 @@ bool is_below_yield(const Scene& scene, double friction, double level) {
                      factor * scene.peaks.vertical_mps2);
 }
 
-class OneAxis : public Histories {
- public:
-  std::array<double, 2> closing_m(double) const override {
-    throw std::logic_error("closing_m: not in a plan with this kernel");
-  }
-};
-
-class TableHistories : public OneAxis {
+class TableHistories : public Histories {
  public:
   TableHistories(const Scene& scene, const CaseRoof& roof, SlipCurve* curve,
                  std::function<void()> remake)
@@ -82,6 +75,10 @@ class TableHistories : public OneAxis {
 
   bool does_not_slide(double level) const override {
     return is_below_yield(scene_, scene_.block.friction, level);
+  }
+
+  std::array<double, 2> closing_m(double) const override {
+    throw std::logic_error("closing_m: not in a plan with this kernel");
   }
 
   double tipping_level(const RigidBase& base) const override {
@@ -128,94 +125,17 @@ class TableHistories : public OneAxis {
   std::function<void()> remake_;
 };
 
-template <class Base>
-class NoTipping : public Base {
+/// Building and array coupled, on one axis or two; the building may yield, and friction have any
+/// law: in the lanes of two axes, of which the second may be at rest, but for base shear, and on
+/// one axis events that the lanes do not have.
+class CoupledHistories : public Histories {
  public:
-  double tipping_level(const RigidBase&) const override {
-    throw std::logic_error("tipping_level: not in a plan with this kernel");
-  }
-};
-
-/// One axis on a coupled building, which may yield.
-class CoupledHistories : public NoTipping<OneAxis> {
- public:
-  CoupledHistories(const Scene& scene, CoupledGround& ground)
-      : scene_(scene),
-        ground_(ground),
-        building_{building_axes(scene.c).front(), scene.c.mass_ratio,
-                  strength_of(scene.c, scene.c.period_s, scene.plan.target(scene.record))} {}
-
-  bool does_not_slide(double level) const override {
-    return is_below_yield(scene_, scene_.block.friction, level);
-  }
-
-  void prepare(double level) override { known_.try_emplace(level); }
-  bool is_ready(double level) const override { return known_.contains(level); }
-
-  History at(double level, std::span<Crossing> crossings, WorkCount& count) override {
-    ++count.integrated;
-    prepare(level);
-    const Known& known = known_.at(level);
-    if (!known.is_run) run();
-    if (!known.found) throw NotConverged("coupled_slip: a history did not converge");
-    std::copy_n(known.crossings.begin(), crossings.size(), crossings.begin());
-    return {.peak_displacement_m = known.found->peak_displacement_m, .uplift = known.found->uplift};
-  }
-
- private:
-  struct Known {
-    bool is_run = false;
-    std::optional<PeakSlip> found;  ///< nothing where it does not converge
-    std::vector<Crossing> crossings;
-  };
-
-  /// All that is prepared, side by side; where one does not converge, one by one.
-  void run() {
-    std::vector<double> levels;
-    for (const auto& [level, known] : known_)
-      if (!known.is_run) levels.push_back(level);
-    try {
-      run(levels);
-    } catch (const NotConverged&) {
-      for (const double& level : levels) try {
-          run({&level, 1});
-        } catch (const NotConverged&) {
-          known_.at(level).is_run = true;
-        }
-    }
-  }
-  void run(std::span<const double> levels) {
-    const std::span<const double> thresholds = KeptFields(scene_.plan.config).crossings
-                                                   ? scene_.thresholds_m()
-                                                   : std::span<const double>();
-    std::vector<CoupledScene> scenes;
-    for (const double level : levels)
-      scenes.push_back(
-          {building_, scene_.block, {scene_.axis_factor(0, level), scene_.factor(level)}});
-    std::vector<CoupledPeak> peaks(scenes.size());
-    std::vector<Crossing> crossings(scenes.size() * thresholds.size());
-    coupled_slip(ground_, scenes, peaks, thresholds, crossings);
-    for (std::size_t k = 0; k < scenes.size(); ++k) {
-      const auto first = crossings.begin() + static_cast<std::ptrdiff_t>(k * thresholds.size());
-      known_.at(levels[k]) = {
-          true, peaks[k].slip, {first, first + static_cast<std::ptrdiff_t>(thresholds.size())}};
-    }
-  }
-
-  Scene scene_;
-  CoupledGround& ground_;
-  CoupledBuilding building_;
-  std::map<double, Known> known_;  ///< by level
-};
-
-/// The full model.
-class FullHistories : public NoTipping<Histories> {
- public:
-  FullHistories(const Scene& scene, RoofStore& roofs, TwoAxisBatch& batch)
+  CoupledHistories(const Scene& scene, RoofStore& roofs, TwoAxisBatch& batch)
       : scene_(scene),
         ground_(roofs.ground_under(scene.c)),
         building_(biaxial_building(scene.c, scene.plan.target(scene.record))),
         block_(two_axis_block(scene.c)),
+        on_one_axis_(roofs.motion_under(scene.c)),
         batch_(batch) {
     if (scene.c.support != ArraySupport::isolated) {
       ground_.vertical = nullptr;
@@ -238,6 +158,10 @@ class FullHistories : public NoTipping<Histories> {
     return {closing.along_m, closing.across_m};
   }
 
+  double tipping_level(const RigidBase&) const override {
+    throw std::logic_error("tipping_level: not in a plan with this kernel");
+  }
+
   void prepare(double level) override {
     if (!runs_alone()) batch_.add(lanes_, {building_, block_, factors(level)}, level, known_);
   }
@@ -249,7 +173,7 @@ class FullHistories : public NoTipping<Histories> {
 
   History at(double level, std::span<Crossing> crossings, WorkCount& count) override {
     ++count.integrated;
-    if (runs_alone()) return whole_model(level, crossings);
+    if (runs_alone()) return alone(level, crossings);
     if (!is_ready(level)) {
       prepare(level);
       batch_.run();
@@ -265,13 +189,24 @@ class FullHistories : public NoTipping<Histories> {
     return {{scene_.axis_factor(0, level), scene_.axis_factor(1, level)}, scene_.factor(level)};
   }
 
-  /// The lanes give no base shear.
-  bool runs_alone() const { return scene_.plan.config.base_shear; }
+  bool is_by_events() const {
+    return scene_.plan.kernel.kernel == Kernel::coupled &&
+           (scene_.c.yields() || !scene_.c.law.is_coulomb());
+  }
+  bool runs_alone() const { return scene_.plan.config.base_shear || is_by_events(); }
 
-  History whole_model(double level, std::span<Crossing> crossings) const {
-    const BuildingSlip on_building = slide_on_building(
-        ground_, factors(level), building_, block_,
-        crossings.empty() ? std::span<const double>() : scene_.thresholds_m(), crossings);
+  History alone(double level, std::span<Crossing> crossings) const {
+    const auto thresholds_m = crossings.empty() ? std::span<const double>() : scene_.thresholds_m();
+    if (is_by_events()) {
+      const CoupledBuilding building{building_.horizontal[0], building_.mass_ratio,
+                                     building_.yielding[0]};
+      const MotionFactors along{factors(level).horizontal[0], factors(level).vertical};
+      const SlipResult slip =
+          slide_coupled(on_one_axis_, along, building, scene_.block, thresholds_m, crossings).slip;
+      return {.peak_displacement_m = slip.peak_displacement_m, .uplift = slip.uplift};
+    }
+    const BuildingSlip on_building =
+        slide_on_building(ground_, factors(level), building_, block_, thresholds_m, crossings);
     History found = history(on_building.slip);
     found.base_shear = on_building.peak_base_shear;
     return found;
@@ -291,6 +226,7 @@ class FullHistories : public NoTipping<Histories> {
   BuildingGround ground_;
   BiaxialBuilding building_;
   TwoAxisBlock block_;
+  GroundMotion on_one_axis_;
   std::shared_ptr<TwoAxisLanes> lanes_;
   TwoAxisBatch& batch_;
   std::map<double, TwoAxisRun> known_;  ///< by level
@@ -323,11 +259,10 @@ std::unique_ptr<Histories> histories_of(const Plan& plan, RoofStore& roofs, std:
     case Kernel::tables:
       return std::make_unique<TableHistories>(scene, roof, roofs.curve(case_number), remake);
     case Kernel::coupled:
-      return std::make_unique<CoupledHistories>(scene, roofs.coupled_ground(c));
     case Kernel::full:
       break;
   }
-  return std::make_unique<FullHistories>(scene, roofs, batch);
+  return std::make_unique<CoupledHistories>(scene, roofs, batch);
 }
 
 }  // namespace glissade

@@ -73,7 +73,6 @@ SlipCurve* RoofStore::curve(std::size_t case_number) {
 
 void RoofStore::turn_to(std::size_t record) {
   record_ = record;
-  coupled_.clear();
   lanes_.clear();
   mixed_.clear();
   ground_.clear();
@@ -213,12 +212,9 @@ BuildingGround RoofStore::ground_under(const Case& c) {
   return result;
 }
 
-CoupledGround& RoofStore::coupled_ground(const Case& c) {
-  const AxisMotion axis = axis_motion(c.orientation, 0);
-  const GroundMotion motion{plan_.motion(record_).dt_s, ground_motion(axis), vertical_motion(c)};
-  return coupled_
-      .try_emplace({{axis.component, axis.azimuth_deg}, !motion.vertical_mps2.empty()}, motion)
-      .first->second;
+GroundMotion RoofStore::motion_under(const Case& c) {
+  return {plan_.motion(record_).dt_s, ground_motion(axis_motion(c.orientation, 0)),
+          vertical_motion(c)};
 }
 
 std::shared_ptr<TwoAxisLanes> RoofStore::two_axis_lanes(const BuildingGround& ground) {

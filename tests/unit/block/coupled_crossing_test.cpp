@@ -8,13 +8,13 @@
 #include <string>
 #include <vector>
 
-#include "glissade/block/coupled_slip.hpp"
 #include "unit/block/coupled_reference.hpp"
 
 namespace glissade {
 namespace coupled_crossing_test {
 
 using test::CoupledReference;
+using test::CoupledScene;
 using test::made_up_record;
 using test::uniform;
 
@@ -100,36 +100,6 @@ TEST(coupled_crossing, at_the_very_peak_has_no_speed_and_beyond_does_not_happen)
     EXPECT_NEAR(found[0].time_s, at_peak->time_s, 1e-12);
     EXPECT_FALSE(found[1].happens());
   }
-}
-
-TEST(coupled_crossing, of_the_kernel_is_that_of_the_reference) {
-  const auto a = made_up_record(1000, 7, 7.0), w = made_up_record(1000, 8, 3.0);
-  const GroundMotion ground{0.01, a, w};
-  auto scenes = made_up_scenes(300, 9);
-  for (std::size_t k = 0; k < scenes.size(); k += 5) scenes[k].building.yielding = {4.0, 0.05};
-  const std::vector<double> thresholds{1e-3, 0.02, 0.1, 0.5};
-  const std::size_t each = thresholds.size();
-  std::vector<CoupledPeak> peaks(scenes.size()), plain(scenes.size());
-  std::vector<Crossing> found(scenes.size() * each);
-  coupled_slip(ground, scenes, peaks, thresholds, found);
-  coupled_slip(ground, scenes, plain);
-  int crossed = 0;
-  for (std::size_t k = 0; k < scenes.size(); ++k) {
-    const CoupledScene& s = scenes[k];
-    std::vector<Crossing> expected(each);
-    slide_coupled(ground, s.factors, s.building, s.block, thresholds, expected);
-    EXPECT_EQ(peaks[k].slip.peak_displacement_m, plain[k].slip.peak_displacement_m);
-    for (std::size_t i = 0; i < each; ++i) {
-      const Crossing& c = found[k * each + i];
-      ASSERT_EQ(c.happens(), expected[i].happens()) << k;
-      ASSERT_EQ(c.happens(), peaks[k].slip.peak_displacement_m >= thresholds[i]) << k;
-      if (!c.happens()) continue;
-      EXPECT_NEAR(c.time_s, expected[i].time_s, 1e-9);
-      EXPECT_NEAR(c.speed_mps, expected[i].speed_mps, 1e-9);
-      ++crossed;
-    }
-  }
-  EXPECT_GT(crossed, 300);
 }
 
 }  // namespace coupled_crossing_test

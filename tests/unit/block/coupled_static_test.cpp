@@ -8,13 +8,13 @@
 #include <string>
 #include <vector>
 
-#include "glissade/block/coupled_slip.hpp"
 #include "unit/block/coupled_reference.hpp"
 
 namespace glissade {
 namespace coupled_static_test {
 
 using test::CoupledReference;
+using test::CoupledScene;
 using test::made_up_record;
 using test::uniform;
 
@@ -76,22 +76,16 @@ TEST(coupled_static_friction, agrees_with_50_digits) {
   EXPECT_GT(phases, 30);
 }
 
-TEST(coupled_static_friction, keeps_the_balance_and_the_kernel_takes_it) {
+TEST(coupled_static_friction, keeps_the_balance_of_energy) {
   std::mt19937 random(5);
-  std::vector<CoupledScene> scenes(300);
-  for (CoupledScene& s : scenes) s = made_up_scene(random);
-  std::vector<CoupledPeak> peaks(scenes.size());
-  coupled_slip(ground, scenes, peaks);
-  for (std::size_t k = 0; k < scenes.size(); ++k) {
-    const CoupledScene& s = scenes[k];
+  for (int k = 0; k < 300; ++k) {
+    const CoupledScene s = made_up_scene(random);
     const CoupledResult r = slide_coupled(ground, s.factors, s.building, s.block);
     const CoupledEnergy& e = r.energy;
     EXPECT_NEAR(
         e.input_m2ps2 + e.gravity_m2ps2,
         e.kinetic_m2ps2 + e.strain_m2ps2 + e.damped_m2ps2 + e.friction_m2ps2 + e.hysteretic_m2ps2,
         1e-10 * std::max(std::abs(e.input_m2ps2), e.damped_m2ps2));
-    EXPECT_NEAR(peaks[k].slip.peak_displacement_m, r.slip.peak_displacement_m,
-                1e-10 * std::max(r.slip.peak_displacement_m, 1e-6));
   }
 }
 

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "glissade/block/coupled_slip.hpp"
+#include "glissade/block/coupled.hpp"
 #include "unit/block/reference.hpp"
 
 namespace glissade {
@@ -218,25 +218,6 @@ TEST(coupled_yielding_limits, ties_and_extremes_end_and_keep_the_balance) {
     yielded += r.ductility > 1.0 ? 1 : 0;
   }
   EXPECT_GT(yielded, 250);
-}
-
-// Elastic, at the demand to rounding, and far beyond: hardening 0 has no table of its own, and of
-// 0.002 the yielding building is overdamped, so both yield by the scalar scheme.
-TEST(coupled_yielding_limits, the_kernel_takes_all_strengths) {
-  std::vector<CoupledScene> scenes;
-  const double demand = elastic_demand_mps2(slippery);
-  for (const double hardening : {0.0, 0.002, 0.05, 0.3})
-    for (const double r : {0.1, 1.0 - 1e-6, 1.0, 1.5, 4.0, 12.0})
-      scenes.push_back({yielding_at(demand / r, hardening), slippery, {}});
-  std::vector<CoupledPeak> peaks(scenes.size());
-  coupled_slip(ground, scenes, peaks);
-  for (std::size_t k = 0; k < scenes.size(); ++k) {
-    const CoupledResult r = slide_coupled(ground, {}, scenes[k].building, slippery);
-    EXPECT_NEAR(peaks[k].slip.peak_displacement_m, r.slip.peak_displacement_m,
-                1e-11 * r.slip.peak_displacement_m)
-        << k;
-    EXPECT_FALSE(peaks[k].by_events) << k;
-  }
 }
 
 TEST(yielding_for, is_a_share_of_the_weight_or_of_the_elastic_demand) {

@@ -8,7 +8,7 @@
 #include <memory>
 #include <vector>
 
-#include "glissade/block/coupled_slip.hpp"
+#include "glissade/block/coupled.hpp"
 #include "glissade/block/on_building.hpp"
 #include "glissade/block/peak_slip.hpp"
 #include "glissade/block/rodriguez_nikl.hpp"
@@ -92,11 +92,6 @@ TEST(input_that_is_not_finite, is_refused_by_every_model) {
     broken[200] = bad;
     const Block block = block_with(0.2);
     const CoupledBuilding building{{0.5, 0.05}, 0.1};
-    const auto coupled = [&](const GroundMotion& ground, const Block& of) {
-      std::vector<CoupledScene> scenes{{building, of, {}}};
-      std::vector<CoupledPeak> peaks(1);
-      coupled_slip(ground, scenes, peaks);
-    };
     EXPECT_THROW(slide({0.01, broken}, block), std::invalid_argument);
     EXPECT_THROW(slide({0.01, record, broken}, block), std::invalid_argument);
     EXPECT_THROW(slide({0.01, record}, block_with(bad)), std::invalid_argument);
@@ -110,8 +105,6 @@ TEST(input_that_is_not_finite, is_refused_by_every_model) {
     EXPECT_THROW(slide_coupled({0.01, record, broken}, {}, building, block), std::invalid_argument);
     EXPECT_THROW(slide_coupled({0.01, record}, {}, {{bad, 0.05}, 0.1}, block),
                  std::invalid_argument);
-    EXPECT_THROW(coupled({0.01, broken}, block), std::invalid_argument);
-    EXPECT_THROW(coupled({0.01, record}, block_with(bad)), std::invalid_argument);
     EXPECT_THROW(slide_two_axis({0.01, {broken, {}}, {}}, {.friction = {0.2, 0.2}}),
                  std::invalid_argument);
     EXPECT_THROW(slide_two_axis({0.01, {record, {}}, {}}, {.friction = {bad, bad}}),
@@ -172,17 +165,11 @@ TEST(a_factor_beyond_any_motion, is_refused_by_every_model) {
   const BuildingGround ground{{std::make_shared<GroundTable>(0.01, record), nullptr}, nullptr};
   const auto slips = [&](double factor) {
     const MotionFactors factors{factor, factor};
-    const CoupledScene coupled_scene{building, block, factors};
     const TwoAxisScene scene = scene_on_a_building(factor);
     TwoAxisPeak peak;
     return std::vector<std::function<double()>>{
         [=] {
           return slide({0.01, record, {}, factor}, block).peak_displacement_m;
-        },
-        [=] {
-          CoupledPeak coupled;
-          coupled_slip(GroundMotion{0.01, record}, {&coupled_scene, 1}, {&coupled, 1});
-          return coupled.slip.peak_displacement_m;
         },
         [=] { return peak_slip(RoofTable(0.01, record), block, factors).peak_displacement_m; },
         [=] {

@@ -7,9 +7,8 @@
 #include <vector>
 
 #include "block/contact/coupled_spring.hpp"
-#include "block/coupled_tables/coupled_table.hpp"
 #include "block/slip_record/two_axis_extremes.hpp"
-#include "glissade/block/coupled_slip.hpp"
+#include "glissade/block/coupled.hpp"
 #include "glissade/block/on_building.hpp"
 #include "glissade/block/peak_slip.hpp"
 #include "glissade/block/slide.hpp"
@@ -41,30 +40,6 @@ TEST(lifted_without_horizontal_motion, is_uplift_but_no_phase_of_sliding) {
   const BuildingSlip on_building = slide_on_building({{ground, nullptr}, vertical}, {}, {}, two);
   EXPECT_EQ(on_building.slip.slip_phases, 0u);
   EXPECT_TRUE(on_building.slip.uplift);
-}
-
-// Where the nodes of a motion filled their last tile, the largest values were also those of one
-// more tile, of unset memory: searches and with them the last bits changed from run to run.
-TEST(table_in_used_memory, is_that_in_fresh_memory) {
-  using namespace block_detail;
-  constexpr double dt_s = 0.01;
-  const CoupledContact contact(Block{.friction = 0.3}, 0.1);
-  const BuildingOscillator building = subdivide({0.5, 0.05}, contact, dt_s).building;
-  const CoupledNodes strong({dt_s, std::vector<double>(400, 1e3), {}});
-  for (std::size_t samples = 100; samples <= 100 + CoupledTable::tile; ++samples) {
-    const CoupledNodes weak({dt_s, std::vector<double>(samples, 1.0), {}});
-    CoupledTable fresh, used;
-    fresh.tabulate(weak, contact, building, 1.0, 0.0);
-    used.tabulate(strong, contact, building, 1.0, 0.0);
-    used.tabulate(weak, contact, building, 1.0, 0.0);
-    for (const int direction : {-1, 0, 1}) {
-      const CoupledTable::Response &a = fresh.response(direction), &b = used.response(direction);
-      EXPECT_EQ(a.largest_a_mps2, b.largest_a_mps2) << samples;
-      EXPECT_EQ(a.largest_x_mps2, b.largest_x_mps2) << samples;
-    }
-    EXPECT_EQ(fresh.rest().largest, used.rest().largest) << samples;
-    EXPECT_EQ(fresh.speed(1).largest, used.speed(1).largest) << samples;
-  }
 }
 
 // v = k (0.05 - t)(0.2 - t)(0.3 - t) turns three times, twice of them before a quarter of the
@@ -132,8 +107,6 @@ TEST(ring_down, of_an_undamped_building_is_120_s_in_every_model) {
   const CoupledBuilding building{{0.5, 0.0}, 0.0};
   const GroundMotion ground{0.01, record};
   const CoupledResult events = slide_coupled(ground, {}, building, block);
-  std::vector<CoupledPeak> tables(1);
-  coupled_slip(ground, std::vector<CoupledScene>{{building, block, {}}}, tables);
   const RoofMotionOptions follow{.quiet_horizontal_mps2 = yield_acceleration_mps2(block),
                                  .settle_deceleration_mps2 = resting_deceleration_mps2(block)};
   const RoofMotion roof = roof_motion(ground, {{0.5, 0.0}, {}}, follow);
@@ -142,7 +115,6 @@ TEST(ring_down, of_an_undamped_building_is_120_s_in_every_model) {
   const PeakSlip table =
       peak_slip(tabulate_roof(ground, {{0.5, 0.0}, {}}, follow), block, {1.0, 1.0});
   const double peak = events.slip.peak_displacement_m;
-  EXPECT_NEAR(tables[0].slip.peak_displacement_m, peak, 1e-9 * peak);
   EXPECT_NEAR(table.slip_duration_s, events.slip.slip_duration_s, 0.1);
 
   const BuildingGround under{{std::make_shared<GroundTable>(0.01, record), nullptr}, nullptr};
@@ -167,13 +139,10 @@ TEST(a_period_far_below_the_time_step, is_rigid_in_every_model) {
   const auto peaks = [&](double yield_mps2) {
     const Block block{.friction = yield_mps2 / standard_gravity_mps2};
     const RoofMotion sampled = roof_motion(ground, {roof, {}}, {});
-    std::vector<CoupledPeak> coupled(1);
-    coupled_slip(ground, std::vector<CoupledScene>{{{roof, 0.0}, block, {}}}, coupled);
     return std::vector<double>{
         slide({sampled.dt_s, sampled.horizontal_mps2}, block).peak_displacement_m,
         peak_slip(tabulate_roof(ground, {roof, {}}, {}), block).peak_displacement_m,
         slide_coupled(ground, {}, {roof, 0.0}, block).slip.peak_displacement_m,
-        coupled[0].slip.peak_displacement_m,
         slide_on_building({{table, nullptr}, nullptr}, {}, {{roof, roof}},
                           {.friction = {block.friction, block.friction}})
             .slip.peak_displacement_m};
@@ -200,10 +169,8 @@ TEST(a_rigid_building, cannot_yield) {
 
 TEST(a_step_of_a_nanosecond, is_refused_on_a_building_instead_of_walked_for_minutes) {
   const auto record = made_up_record(100, 3, 6.0);
-  const GroundMotion ground{1e-9, record};
-  std::vector<CoupledPeak> peaks(1);
-  const std::vector<CoupledScene> scenes{{{{0.5, 0.05}, 0.1}, {.friction = 0.1}, {}}};
-  EXPECT_THROW(coupled_slip(ground, scenes, peaks), NotConverged);
+  EXPECT_THROW(slide_coupled({1e-9, record}, {}, {{0.5, 0.05}, 0.1}, {.friction = 0.1}),
+               NotConverged);
   EXPECT_THROW(slide_on_building({{std::make_shared<GroundTable>(1e-9, record), nullptr}, nullptr},
                                  {}, {{{{0.5, 0.05}, {0.5, 0.05}}}, 0.1}, {.friction = {0.1, 0.1}}),
                NotConverged);

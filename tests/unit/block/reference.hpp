@@ -6,9 +6,16 @@
 #include <random>
 #include <vector>
 
-#include "glissade/block/slide.hpp"
+#include "glissade/block/coupled.hpp"
 
 namespace glissade::test {
+
+/// A history of slide_coupled(), but for its ground.
+struct CoupledScene {
+  CoupledBuilding building;
+  Block block;
+  MotionFactors factors;
+};
 
 using Real = boost::multiprecision::cpp_bin_float_50;
 

@@ -175,21 +175,6 @@ Case balance(const std::vector<CoupledScene>& scenes) {
                {"largest gap, relative to the largest part", worst, 1e-10});
 }
 
-Case batch(const std::vector<CoupledScene>& scenes) {
-  const MadeUpGround ground;
-  std::vector<CoupledPeak> peaks(scenes.size());
-  coupled_slip(ground.motion(), scenes, peaks);
-  double slip = 0.0;
-  for (std::size_t k = 0; k < scenes.size(); ++k) {
-    const CoupledResult r =
-        slide_coupled(ground.motion(), scenes[k].factors, scenes[k].building, scenes[k].block);
-    slip = worse(slip, slip_difference(peaks[k].slip, r.slip));
-  }
-  return limit({fmt::format("coupled_slip(), {} made-up scenes at once", scenes.size()), "slip",
-                "slide_coupled(), the readable scheme", ReferenceFrom::this_code},
-               {relative_to_slip, slip, 1e-11});
-}
-
 }  // namespace
 
 Chapter second_paper_coupled() {
@@ -198,7 +183,7 @@ Chapter second_paper_coupled() {
       "9.1 The second paper: coupled building and array",
       R"(Walters et al. (2012) put the mass of the array, 5 to 10 % of that of the building, on a building of
 one degree of freedom. `slide_coupled()` solves phases of sticking and of sliding as linear oscillators
-in closed form; `coupled_slip()` solves many histories at once. Without mass, on a rigid building and with
+in closed form. Without mass, on a rigid building and with
 an array that never slides the known limits must result; between these limits are the forced
 oscillator with dry friction (Den Hartog 1931), 50 digits, and the balance of energy. The steady
 states are those of sampled motions, 1,000 samples a cycle, which causes an error of up to 1e-8 of the
@@ -206,7 +191,7 @@ driving amplitude of 0.05 m.)",
       {without_mass(), vanishing_mass(scenes), rigid_building(scenes), sticking_array(),
        fifty_digits()}};
   for (const std::vector<Case>& cases :
-       {friction_oscillators(), std::vector<Case>{balance(scenes), batch(scenes)}})
+       {friction_oscillators(), std::vector<Case>{balance(scenes)}})
     chapter.cases.insert(chapter.cases.end(), cases.begin(), cases.end());
   return chapter;
 }

@@ -123,26 +123,6 @@ std::vector<Case> tabulated(const Suite& suite) {
       "slide()", d, 1e-9);
 }
 
-std::vector<Case> coupled_batch() {
-  const MadeUpGround ground;
-  std::vector<CoupledScene> scenes = coupled_scenes(200, 9);
-  const std::vector<CoupledScene> yielding = yielding_scenes(40, 10);
-  scenes.insert(scenes.end(), yielding.begin(), yielding.end());
-  const std::size_t each = thresholds_m.size();
-  std::vector<CoupledPeak> peaks(scenes.size());
-  std::vector<Crossing> found(scenes.size() * each);
-  coupled_slip(ground.motion(), scenes, peaks, thresholds_m, found);
-  Difference d;
-  for (std::size_t k = 0; k < scenes.size(); ++k) {
-    std::vector<Crossing> expected(each);
-    slide_coupled(ground.motion(), scenes[k].factors, scenes[k].building, scenes[k].block,
-                  thresholds_m, expected);
-    d.add(std::span(found).subspan(k * each, each), expected);
-  }
-  return rows("coupled_slip(), 240 made-up scenes, 40 of them yielding", "slide_coupled()", d,
-              1e-9);
-}
-
 std::vector<Case> on_building() {
   std::mt19937 random(11);
   Difference d;
@@ -174,7 +154,7 @@ kernel gives time and speed at which the block first reaches a given distance. C
 speed, and its error, is proportional to the square root of the remaining distance.)",
       constant_push()};
   for (const std::vector<Case>& cases :
-       {std::vector<Case>{at_the_peak()}, tabulated(suite), coupled_batch(), on_building()})
+       {std::vector<Case>{at_the_peak()}, tabulated(suite), on_building()})
     chapter.cases.insert(chapter.cases.end(), cases.begin(), cases.end());
   return chapter;
 }

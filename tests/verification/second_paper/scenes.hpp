@@ -6,12 +6,12 @@
 #include <random>
 #include <vector>
 
-#include "glissade/block/coupled_slip.hpp"
 #include "unit/block/reference.hpp"
 #include "verification/case.hpp"
 
 namespace glissade::verification {
 
+using test::CoupledScene;
 using test::uniform;
 
 /// A made-up horizontal motion with its vertical, 1,000 samples of 0.01 s.

@@ -207,21 +207,6 @@ std::vector<Case> stays_elastic(const std::vector<CoupledScene>& scenes) {
                 {"largest relative difference", touched, 1e-10})};
 }
 
-Case batch(const std::vector<CoupledScene>& scenes) {
-  const MadeUpGround ground;
-  std::vector<CoupledPeak> peaks(scenes.size());
-  coupled_slip(ground.motion(), scenes, peaks);
-  double worst = 0.0;
-  for (std::size_t k = 0; k < scenes.size(); ++k) {
-    const CoupledResult r =
-        slide_coupled(ground.motion(), scenes[k].factors, scenes[k].building, scenes[k].block);
-    worst = worse(worst, slip_difference(peaks[k].slip, r.slip));
-  }
-  return limit({"coupled_slip(), the same scenes at once", "slip",
-                "slide_coupled(), the readable scheme", ReferenceFrom::this_code},
-               {"largest difference, relative to the slip and 0.1 mm", worst, 1e-11});
-}
-
 }  // namespace
 
 Chapter second_paper_yielding() {
@@ -235,7 +220,7 @@ the linear building.)",
       suddenly_applied()};
   for (const std::vector<Case>& cases :
        {std::vector<Case>{growing_pulse(), textbook_loop(), fifty_digits()}, balance(scenes),
-        stays_elastic(scenes), std::vector<Case>{batch(scenes)}})
+        stays_elastic(scenes)})
     chapter.cases.insert(chapter.cases.end(), cases.begin(), cases.end());
   return chapter;
 }

@@ -10,7 +10,6 @@
 #include <utility>
 #include <vector>
 
-#include "glissade/block/coupled_slip.hpp"
 #include "glissade/block/on_building.hpp"
 #include "glissade/block/peak_slip.hpp"
 #include "glissade/block/two_axis_lanes.hpp"
@@ -53,9 +52,9 @@ class RoofStore {
 
   /// What moves the building of a case under the record last used. Valid as `under` is.
   BuildingGround ground_under(const Case& c);
-  /// The same for coupled_slip(): the levels of a case share its tables, all cases their integrals.
-  CoupledGround& coupled_ground(const Case& c);
-  /// The same for the full model. The lanes outlive the store's change to another record.
+  /// Its samples, along the first axis.
+  GroundMotion motion_under(const Case& c);
+  /// Lanes on it, each once. They outlive the store's change to another record.
   std::shared_ptr<TwoAxisLanes> two_axis_lanes(const BuildingGround& ground);
 
   /// The motion of the ground along an axis, as recorded but for mixes of both components; its sign
@@ -106,11 +105,10 @@ class RoofStore {
   std::map<AxisKey, std::vector<double>> mixed_;                            ///< of both components
   std::map<std::pair<AxisKey, int>, std::shared_ptr<GroundTable>> ground_;  ///< and parts
   std::map<VerticalKey, std::shared_ptr<MotionTable>> vertical_;
-  std::map<std::pair<AxisKey, bool>, CoupledGround> coupled_;  ///< and whether with the vertical
-  std::vector<std::shared_ptr<TwoAxisLanes>> lanes_;           ///< by ground
-  std::map<std::size_t, CaseRoof> kept_;                       ///< by building
-  std::map<std::size_t, SlipCurve> curve_;                     ///< by building
-  std::vector<std::shared_ptr<MotionTable>> pool_;  ///< tables whose memory is used again
+  std::vector<std::shared_ptr<TwoAxisLanes>> lanes_;  ///< by ground
+  std::map<std::size_t, CaseRoof> kept_;              ///< by building
+  std::map<std::size_t, SlipCurve> curve_;            ///< by building
+  std::vector<std::shared_ptr<MotionTable>> pool_;    ///< tables whose memory is used again
   std::vector<CaseRoof> roofs_;
 };
 
