@@ -5,8 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "block/contact/line.hpp"
 #include "block/contact/plane_vector.hpp"
-#include "block/events/sliding_block.hpp"
 #include "glissade/block/two_axis.hpp"
 
 namespace glissade::block_detail {

@@ -5,10 +5,10 @@
 #include <functional>
 #include <utility>
 
-#include "block/contact/coupled_spring.hpp"
+#include "block/events/coupled_energy.hpp"
 #include "block/events/coupled_motion.hpp"
+#include "block/events/coupled_spring.hpp"
 #include "block/slip_record/coupled_crossing.hpp"
-#include "block/slip_record/coupled_energy.hpp"
 #include "glissade/core/oscillator.hpp"
 
 namespace glissade::block_detail {

@@ -6,7 +6,7 @@
 #include <cstddef>
 
 #include "block/contact/contact.hpp"
-#include "block/contact/coupled_spring.hpp"
+#include "block/events/coupled_spring.hpp"
 #include "block/polynomial/power_series.hpp"
 #include "glissade/block/coupled.hpp"
 #include "glissade/core/not_converged.hpp"

@@ -5,7 +5,7 @@
 
 #include "block/full_model/coupled_step.hpp"
 #include "block/full_model/excitation.hpp"
-#include "block/slip_record/two_axis_track.hpp"
+#include "block/full_model/two_axis_track.hpp"
 
 namespace glissade::block_detail {
 

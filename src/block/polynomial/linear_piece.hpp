@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "block/events/sliding_block.hpp"
+#include "block/contact/line.hpp"
 
 namespace glissade::block_detail {
 

@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-#include "block/events/sliding_block.hpp"
+#include "block/contact/line.hpp"
 
 namespace glissade::block_detail {
 

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "block/contact/contact.hpp"
-#include "block/events/sliding_block.hpp"
+#include "block/contact/line.hpp"
 #include "glissade/building/motion_table.hpp"
 
 namespace glissade::block_detail {

@@ -7,9 +7,10 @@
 #include <ranges>
 #include <span>
 
-#include "block/events/sliding_block.hpp"
+#include "block/contact/line.hpp"
 #include "block/polynomial/linear_piece.hpp"
 #include "block/slip_record/distance_crossings.hpp"
+#include "block/slip_record/slide_state.hpp"
 
 namespace glissade::block_detail {
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <map>
@@ -75,6 +76,26 @@ TEST(architecture, modules_include_only_what_lies_below_them) {
         << include.file << " includes " << include.header;
   }
   EXPECT_GT(checked, 100);
+}
+
+// src/README.md, the table of the folders of src/block.
+const std::vector<std::string> block_folders = {"contact", "polynomial", "slip_record", "events",
+                                                "tables",  "full_model", "two_axes"};
+
+TEST(architecture, folders_of_block_include_only_those_listed_before_them) {
+  const auto place_of = [](const std::string& path) {
+    const std::size_t at = path.find("block/") + 6;
+    return std::ranges::find(block_folders, path.substr(at, path.find('/', at) - at));
+  };
+  int checked = 0;
+  for (const Include& include : includes()) {
+    if (!include.header.starts_with("block/")) continue;
+    ASSERT_NE(place_of(include.header), block_folders.end()) << include.header;
+    EXPECT_LE(place_of(include.header), place_of(include.file))
+        << include.file << " includes " << include.header;
+    ++checked;
+  }
+  EXPECT_GT(checked, 50);
 }
 
 TEST(architecture, mpi_hdf5_and_toml_stay_in_their_rooms) {

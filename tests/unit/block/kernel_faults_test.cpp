@@ -6,7 +6,7 @@
 #include <memory>
 #include <vector>
 
-#include "block/contact/coupled_spring.hpp"
+#include "block/events/coupled_spring.hpp"
 #include "block/slip_record/two_axis_extremes.hpp"
 #include "glissade/block/coupled.hpp"
 #include "glissade/block/on_building.hpp"

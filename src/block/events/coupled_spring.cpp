@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "block/contact/coupled_spring.hpp"
+#include "block/events/coupled_spring.hpp"
 
 namespace glissade::block_detail {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "block/slip_record/two_axis_track.hpp"
+#include "block/full_model/two_axis_track.hpp"
 
 namespace glissade::block_detail {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "block/slip_record/coupled_energy.hpp"
+#include "block/events/coupled_energy.hpp"
 
 #include <boost/math/quadrature/gauss.hpp>
 
