@@ -35,8 +35,4 @@ void CoupledCrossings::follow_to_rest(const SlipPath& path, double speed_mps,
   }
 }
 
-void CoupledCrossings::arrive(double slip_m, double speed_mps, double time_s) {
-  while (reached(slip_m)) note(time_s, speed_mps);
-}
-
 }  // namespace glissade::block_detail

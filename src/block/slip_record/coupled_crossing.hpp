@@ -30,8 +30,6 @@ class CoupledCrossings {
               bool stops);
   /// Slowing down to rest.
   void follow_to_rest(const SlipPath& path, double speed_mps, double deceleration_mps2);
-  /// What the slip has reached, it has reached now.
-  void arrive(double slip_m, double speed_mps, double time_s);
 
  private:
   /// How far the next threshold is along a path.
