@@ -13,7 +13,7 @@
 #include "glissade/motion/improbable.hpp"
 #include "glissade/study/analysis/impact.hpp"
 #include "glissade/study/plan/plan.hpp"
-#include "plan/length_unit.hpp"
+#include "words/length_unit.hpp"
 
 namespace glissade {
 namespace {

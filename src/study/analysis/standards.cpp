@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 
 #include "glissade/standards/conditions.hpp"
-#include "plan/plan_notes.hpp"
+#include "words/plan_notes.hpp"
 
 namespace glissade {
 

@@ -14,8 +14,8 @@
 #include "glissade/motion/suite_scaling.hpp"
 #include "plan/keep_records.hpp"
 #include "plan/plan_check.hpp"
-#include "plan/plan_notes.hpp"
-#include "plan/plan_warnings.hpp"
+#include "words/plan_notes.hpp"
+#include "words/plan_warnings.hpp"
 
 namespace glissade {
 namespace {

@@ -7,8 +7,8 @@
 
 #include "glissade/study/run/history_assembly.hpp"
 #include "glissade/study/run/motion_parts.hpp"
-#include "plan/model_text.hpp"
-#include "run/results_notes.hpp"
+#include "words/model_text.hpp"
+#include "words/results_notes.hpp"
 
 #ifndef GLISSADE_VERSION
 #error "the build defines GLISSADE_VERSION"

@@ -3,7 +3,7 @@
 
 #include "facts.hpp"
 #include "glissade/study/config.hpp"
-#include "run/results_notes.hpp"
+#include "words/results_notes.hpp"
 
 namespace glissade {
 namespace {

@@ -7,8 +7,8 @@
 #include "glissade/motion/design_spectrum.hpp"
 #include "glissade/motion/improbable.hpp"
 #include "glissade/study/results.hpp"
-#include "plan/length_unit.hpp"
-#include "plan/plan_notes.hpp"
+#include "words/length_unit.hpp"
+#include "words/plan_notes.hpp"
 
 namespace glissade {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "plan/model_text.hpp"
+#include "words/model_text.hpp"
 
 #include <fmt/format.h>
 

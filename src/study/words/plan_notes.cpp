@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "plan/plan_notes.hpp"
+#include "words/plan_notes.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -10,7 +10,7 @@
 #include <span>
 
 #include "glissade/study/plan/one_mass.hpp"
-#include "plan/model_text.hpp"
+#include "words/model_text.hpp"
 
 namespace glissade {
 namespace {

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "glissade/study/results.hpp"
-#include "plan/plan_notes.hpp"
+#include "words/plan_notes.hpp"
 
 namespace glissade {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "plan/plan_warnings.hpp"
+#include "words/plan_warnings.hpp"
 
 #include <fmt/format.h>
 

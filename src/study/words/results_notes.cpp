@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "run/results_notes.hpp"
+#include "words/results_notes.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

@@ -7,7 +7,7 @@
 #include "glissade/core/wrap.hpp"
 #include "glissade/study/analysis/sampling_error.hpp"
 #include "glissade/study/plan/plan.hpp"
-#include "plan/length_unit.hpp"
+#include "words/length_unit.hpp"
 
 namespace glissade {
 namespace {
