@@ -54,7 +54,8 @@ std::string point_label(const SchemeResult& scheme) {
   const std::size_t sign = scheme.label.find(" = ");
   if (sign == std::string::npos) return "";
   const std::string step = scheme.label.substr(sign + 3);
-  if (scheme.label.starts_with("tolerance") && scheme.family != "slide_two_axes, rigid") return "";
+  if (scheme.label.starts_with("tolerance") && scheme.family != "peak_slip_two_axes, rigid")
+    return "";
   constexpr std::array unlabelled{"2", "8", "32", "128", "1e-3", "1e-5", "1e-7"};
   if (std::ranges::find(unlabelled, step) != unlabelled.end()) return "";
   if (scheme.family == "Newmark trapezoid" && step != "64") return "";
@@ -134,7 +135,7 @@ void draw_schemes(const WorkPrecision& measured, const std::filesystem::path& sv
 void draw_trial(const std::vector<SchemeResult>& results, const char* title,
                 const std::filesystem::path& svg) {
   // At most four curves by tolerance or step.
-  constexpr std::array curves{"slide_two_axes, rigid", "slide_two_axes, m/M 0.05",
+  constexpr std::array curves{"peak_slip_two_axes, rigid", "peak_slip_two_axes, m/M 0.05",
                               "slide_on_building, m/M 0.05"};
   std::vector<SchemeResult> shown;
   std::ranges::copy_if(results, std::back_inserter(shown), [&](const SchemeResult& s) {

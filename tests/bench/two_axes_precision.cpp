@@ -134,11 +134,12 @@ struct Trial {
 
   /// All scenes of a batch at once.
   BatchScheme lanes(int digits) const {
-    return {fmt::format("slide_two_axes, {}", kind.name), fmt::format("tolerance = 1e-{}", digits),
+    return {fmt::format("peak_slip_two_axes, {}", kind.name),
+            fmt::format("tolerance = 1e-{}", digits),
             [this, tolerance = std::pow(10.0, -digits)](std::size_t b) {
               const Batch& batch = batches[b];
               std::vector<TwoAxisPeak> peaks(batch.scenes.size());
-              slide_two_axes(batch.ground, batch.scenes, peaks, tolerance);
+              peak_slip_two_axes(batch.ground, batch.scenes, peaks, tolerance);
               std::vector<double> peaks_m;
               for (const TwoAxisPeak& peak : peaks) peaks_m.push_back(peak.peak_displacement_m);
               return peaks_m;

@@ -68,7 +68,7 @@ class TwoAxisLanes {
 };
 
 /// All of a motion's at once.
-void slide_two_axes(const BuildingGround& ground, std::span<const TwoAxisScene> scenes,
-                    std::span<TwoAxisPeak> peaks, double tolerance = 1e-6);
+void peak_slip_two_axes(const BuildingGround& ground, std::span<const TwoAxisScene> scenes,
+                        std::span<TwoAxisPeak> peaks, double tolerance = 1e-6);
 
 }  // namespace glissade

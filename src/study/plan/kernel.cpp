@@ -67,11 +67,12 @@ std::string describe(Kernel kernel, bool base_shear) {
     case Kernel::tables:
       return "one axis over tables of the roof's motion: exact events (peak_slip)";
     case Kernel::coupled:
-      return "one axis, coupled building and array: error-controlled (slide_two_axes), or exact "
+      return "one axis, coupled building and array: error-controlled (peak_slip_two_axes), or "
+             "exact "
              "events where the building yields or friction is stronger at rest (slide_coupled)";
     case Kernel::full:
       return std::string("full model: two axes, coupled, error-controlled (") +
-             (base_shear ? "slide_on_building, which gives base shear)" : "slide_two_axes)");
+             (base_shear ? "slide_on_building, which gives base shear)" : "peak_slip_two_axes)");
   }
   return "";
 }

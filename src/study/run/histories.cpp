@@ -179,7 +179,7 @@ class CoupledHistories : public Histories {
       batch_.run();
     }
     const TwoAxisRun& known = known_.at(level);
-    if (known.peak.failed) throw NotConverged("slide_two_axes: a history did not converge");
+    if (known.peak.failed) throw NotConverged("peak_slip_two_axes: a history did not converge");
     std::copy_n(known.crossings.begin(), crossings.size(), crossings.begin());
     return history(known.peak);
   }

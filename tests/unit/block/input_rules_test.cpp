@@ -141,7 +141,7 @@ TEST(a_scene_that_is_not_finite, is_refused_by_every_model_of_two_axes) {
     scene = good;
     *numbers(scene)[i] = std::nan("");
     TwoAxisPeak peak;
-    EXPECT_THROW(slide_two_axes(ground, {&scene, 1}, {&peak, 1}), std::invalid_argument) << i;
+    EXPECT_THROW(peak_slip_two_axes(ground, {&scene, 1}, {&peak, 1}), std::invalid_argument) << i;
     EXPECT_THROW(slide_on_building(ground, scene.factors, scene.building, scene.block),
                  std::invalid_argument)
         << i;
@@ -180,7 +180,7 @@ TEST(a_factor_beyond_any_motion, is_refused_by_every_model) {
               .slip.peak_displacement_m;
         },
         [=]() mutable {
-          slide_two_axes(ground, {&scene, 1}, {&peak, 1});
+          peak_slip_two_axes(ground, {&scene, 1}, {&peak, 1});
           return peak.peak_displacement_m;
         }};
   };
@@ -194,7 +194,7 @@ TEST(a_tolerance, that_no_step_can_meet_is_refused_in_every_build) {
   const TwoAxisScene scene = scene_on_a_building(1.0);
   TwoAxisPeak peak;
   for (const double bad : {0.0, -1.0, 0.1, std::nan("")}) {
-    EXPECT_THROW(slide_two_axes(ground, {&scene, 1}, {&peak, 1}, bad), std::invalid_argument);
+    EXPECT_THROW(peak_slip_two_axes(ground, {&scene, 1}, {&peak, 1}, bad), std::invalid_argument);
     EXPECT_THROW(slide_on_building(ground, scene.factors, scene.building, scene.block, bad),
                  std::invalid_argument);
   }

@@ -122,7 +122,7 @@ TEST(ring_down, of_an_undamped_building_is_120_s_in_every_model) {
   const double full =
       slide_on_building(under, {}, scene.building, scene.block, 1e-8).slip.peak_displacement_m;
   TwoAxisPeak lanes;
-  slide_two_axes(under, {&scene, 1}, {&lanes, 1}, 1e-8);
+  peak_slip_two_axes(under, {&scene, 1}, {&lanes, 1}, 1e-8);
   EXPECT_NEAR(full, peak, 1e-5 * peak);
   EXPECT_NEAR(lanes.peak_displacement_m, peak, 1e-5 * peak);
 }
@@ -185,7 +185,7 @@ TEST(a_step_of_a_nanosecond, does_not_take_minutes_in_lanes) {
   const BiaxialBuilding building{{{{0.5, 0.05}, {0.5, 0.05}}}};
   const std::vector<TwoAxisScene> scenes{{{}, block, {}}, {building, block, {}}};
   std::vector<TwoAxisPeak> peaks(scenes.size());
-  slide_two_axes(ground, scenes, peaks);
+  peak_slip_two_axes(ground, scenes, peaks);
   const double truth_m = slide_on_building(ground, {}, {}, block).slip.peak_displacement_m;
   EXPECT_NEAR(peaks[0].peak_displacement_m, truth_m, 1e-5 * truth_m);
   EXPECT_FALSE(peaks[0].failed);

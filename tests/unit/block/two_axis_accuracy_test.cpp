@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// slide_on_building() and slide_two_axes() against the independent solver of tests/two_axis_truth.
+// slide_on_building() and peak_slip_two_axes() against the independent solver of
+// tests/two_axis_truth.
 #include <gtest/gtest.h>
 
 #include "glissade/block/two_axis_lanes.hpp"
@@ -78,7 +79,7 @@ TEST(slide_on_building, does_not_stop_a_block_that_the_load_moves_on) {
 // Of 900 scenes those that were off by the most: on coupled buildings by 2e-5 to 5e-5 at 1e-6 and
 // 3e-6 at 1e-8, as the velocity acted on the building as a straight line in a stiff step; 1e-4
 // where the errors of many short steps added up; 4e-6 at every tolerance where a start was missed.
-TEST(slide_two_axes, is_the_independent_solver_where_that_is_hard) {
+TEST(peak_slip_two_axes, is_the_independent_solver_where_that_is_hard) {
   for (const Hard& hard : {Hard{Roof::coupled, Law::ellipse, 69},
                            {Roof::coupled, Law::ellipse, 119},
                            {Roof::coupled, Law::ellipse, 141},
@@ -92,7 +93,7 @@ TEST(slide_two_axes, is_the_independent_solver_where_that_is_hard) {
         scene.building, scene.block, {{scene.factor, scene.factor}, scene.factor}};
     for (const double tolerance : {1e-6, 1e-8}) {
       TwoAxisPeak peak;
-      slide_two_axes(ground, {&batch, 1}, {&peak, 1}, tolerance);
+      peak_slip_two_axes(ground, {&batch, 1}, {&peak, 1}, tolerance);
       EXPECT_LE(test::error_of(peak, truth), 10.0 * tolerance) << hard.seed;
     }
   }

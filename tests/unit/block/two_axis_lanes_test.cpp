@@ -50,7 +50,7 @@ std::vector<TwoAxisScene> made_up_scenes(Kind kind, std::size_t count, unsigned 
 std::vector<TwoAxisPeak> solve(const BuildingGround& ground, std::span<const TwoAxisScene> scenes,
                                double tolerance = 1e-6) {
   std::vector<TwoAxisPeak> peaks(scenes.size());
-  slide_two_axes(ground, scenes, peaks, tolerance);
+  peak_slip_two_axes(ground, scenes, peaks, tolerance);
   return peaks;
 }
 
@@ -96,7 +96,7 @@ std::vector<double> errors(const BuildingGround& ground, std::span<const TwoAxis
   return found;
 }
 
-TEST(slide_two_axes, agrees_with_the_reference) {
+TEST(peak_slip_two_axes, agrees_with_the_reference) {
   for (const Kind kind : {Kind::rigid, Kind::uncoupled, Kind::coupled}) {
     SCOPED_TRACE(static_cast<int>(kind));
     const std::vector<double> found = errors(ground_of(1), made_up_scenes(kind, 60, 2), 1e-6);
@@ -106,7 +106,7 @@ TEST(slide_two_axes, agrees_with_the_reference) {
   }
 }
 
-TEST(slide_two_axes, converges_with_its_tolerance) {
+TEST(peak_slip_two_axes, converges_with_its_tolerance) {
   for (const Kind kind : {Kind::rigid, Kind::uncoupled, Kind::coupled}) {
     SCOPED_TRACE(static_cast<int>(kind));
     for (const double tolerance : {1e-4, 1e-5, 1e-7}) {
@@ -136,7 +136,7 @@ std::vector<TwoAxisScene> lifted_scenes(Kind kind, std::size_t count, unsigned s
   return scenes;
 }
 
-TEST(slide_two_axes, lifts_off_and_lands_as_the_reference) {
+TEST(peak_slip_two_axes, lifts_off_and_lands_as_the_reference) {
   for (const Kind kind : {Kind::rigid, Kind::uncoupled, Kind::coupled}) {
     SCOPED_TRACE(static_cast<int>(kind));
     const auto scenes = lifted_scenes(kind, 60, 26);
@@ -149,7 +149,7 @@ TEST(slide_two_axes, lifts_off_and_lands_as_the_reference) {
   }
 }
 
-TEST(slide_two_axes, lifted_off_without_a_drive_it_stays_where_it_is) {
+TEST(peak_slip_two_axes, lifted_off_without_a_drive_it_stays_where_it_is) {
   OnBuilding made(28, 300, 6.0);
   for (auto* horizontal : {&made.first, &made.second})
     std::fill(horizontal->begin(), horizontal->end(), 0.0);
@@ -160,7 +160,7 @@ TEST(slide_two_axes, lifted_off_without_a_drive_it_stays_where_it_is) {
   EXPECT_EQ(peak.peak_displacement_m, 0.0);
 }
 
-TEST(slide_two_axes, along_one_axis_is_slide) {
+TEST(peak_slip_two_axes, along_one_axis_is_slide) {
   const auto a = test::made_up_record(900, 5, 8.0);
   const BuildingGround ground{{std::make_shared<GroundTable>(0.01, a), nullptr}, nullptr};
   int slid = 0;
@@ -179,7 +179,7 @@ TEST(slide_two_axes, along_one_axis_is_slide) {
   EXPECT_EQ(slid, 2);
 }
 
-TEST(slide_two_axes, what_does_not_fit_the_lanes_is_the_reference) {
+TEST(peak_slip_two_axes, what_does_not_fit_the_lanes_is_the_reference) {
   OnBuilding made(9, 400, 7.0);
   made.dt_s = 0.01;
   const BuildingGround plain = made.ground();
@@ -211,7 +211,7 @@ TEST(slide_two_axes, what_does_not_fit_the_lanes_is_the_reference) {
 }
 
 // The building rings on after the record, and the block goes on sliding with it.
-TEST(slide_two_axes, follows_the_building_after_the_record) {
+TEST(peak_slip_two_axes, follows_the_building_after_the_record) {
   OnBuilding made(1, 900, 6.0);
   made.dt_s = 0.01;
   for (const std::size_t samples : {100u, 150u}) {
@@ -230,7 +230,7 @@ TEST(slide_two_axes, follows_the_building_after_the_record) {
 }
 
 // Ten thresholds up to the peak: the same ones are reached, at the same time and speed.
-TEST(slide_two_axes, crossings_are_those_of_the_reference) {
+TEST(peak_slip_two_axes, crossings_are_those_of_the_reference) {
   const BuildingGround ground = ground_of(24);
   for (const Kind kind : {Kind::rigid, Kind::uncoupled, Kind::coupled}) {
     auto scenes = made_up_scenes(kind, 40, 25);
@@ -259,7 +259,7 @@ TEST(slide_two_axes, crossings_are_those_of_the_reference) {
   }
 }
 
-TEST(slide_two_axes, zero_motion_moves_nothing) {
+TEST(peak_slip_two_axes, zero_motion_moves_nothing) {
   const auto rest = std::make_shared<GroundTable>(0.01, std::vector<double>(100, 0.0));
   for (const Kind kind : {Kind::rigid, Kind::uncoupled, Kind::coupled})
     for (const double number :
@@ -267,7 +267,7 @@ TEST(slide_two_axes, zero_motion_moves_nothing) {
       EXPECT_EQ(number, 0.0);
 }
 
-TEST(slide_two_axes, zeros_after_the_record_change_not_a_bit) {
+TEST(peak_slip_two_axes, zeros_after_the_record_change_not_a_bit) {
   OnBuilding made(13, 500, 8.0);
   made.dt_s = 0.01;
   OnBuilding padded = made;
@@ -279,7 +279,7 @@ TEST(slide_two_axes, zeros_after_the_record_change_not_a_bit) {
   }
 }
 
-TEST(slide_two_axes, the_mirror_image_across_the_slope_is_the_same_to_the_bit) {
+TEST(peak_slip_two_axes, the_mirror_image_across_the_slope_is_the_same_to_the_bit) {
   for (const Kind kind : {Kind::rigid, Kind::uncoupled, Kind::coupled}) {
     const auto scenes = made_up_scenes(kind, 40, 15);
     auto mirrored = scenes;
@@ -294,7 +294,7 @@ TEST(slide_two_axes, the_mirror_image_across_the_slope_is_the_same_to_the_bit) {
   }
 }
 
-TEST(slide_two_axes, slip_scales_with_the_whole_acceleration_field_to_the_bit) {
+TEST(peak_slip_two_axes, slip_scales_with_the_whole_acceleration_field_to_the_bit) {
   for (const Kind kind : {Kind::rigid, Kind::uncoupled, Kind::coupled}) {
     const auto scenes = made_up_scenes(kind, 40, 17);
     auto stronger = scenes;
@@ -313,7 +313,7 @@ TEST(slide_two_axes, slip_scales_with_the_whole_acceleration_field_to_the_bit) {
   }
 }
 
-TEST(slide_two_axes, a_history_has_the_same_bits_in_any_company) {
+TEST(peak_slip_two_axes, a_history_has_the_same_bits_in_any_company) {
   const BuildingGround ground = ground_of(19);
   for (const Kind kind : {Kind::rigid, Kind::uncoupled, Kind::coupled}) {
     auto scenes = made_up_scenes(kind, 60, 20);
@@ -333,7 +333,7 @@ void use_targets(std::int64_t targets) {
   hwy::GetChosenTarget().Update(hwy::SupportedTargets());
 }
 
-TEST(slide_two_axes, all_simd_targets_give_the_same_bits) {
+TEST(peak_slip_two_axes, all_simd_targets_give_the_same_bits) {
   const BuildingGround ground = ground_of(21);
   for (const Kind kind : {Kind::rigid, Kind::uncoupled, Kind::coupled}) {
     auto scenes = made_up_scenes(kind, 60, 22);

@@ -307,8 +307,8 @@ void TwoAxisLanes::slide(std::span<const TwoAxisScene> scenes, std::span<TwoAxis
   }
 }
 
-void slide_two_axes(const BuildingGround& ground, std::span<const TwoAxisScene> scenes,
-                    std::span<TwoAxisPeak> peaks, double tolerance) {
+void peak_slip_two_axes(const BuildingGround& ground, std::span<const TwoAxisScene> scenes,
+                        std::span<TwoAxisPeak> peaks, double tolerance) {
   TwoAxisLanes(ground, tolerance).slide(scenes, peaks);
 }
 
