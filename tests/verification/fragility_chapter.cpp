@@ -127,9 +127,10 @@ void add_rates(std::vector<Case>& cases) {
 
 Chapter fragility() {
   Chapter chapter{
-      "3.1 Fragility: fits and annual rates",
-      R"(Fits of published data, each compared with the result of two independent programs, to the given
-digits; annual rates against their closed form and against sums.)",
+      "5.1 Fragility: fits and annual rates",
+      "published data, two independent programs",
+      R"(Fits of published data are compared with the results of two independent programs, to the given digits.
+Annual rates are compared with their closed form and with sums.)",
       {}};
   add_baker(chapter.cases);
   add_others(chapter.cases);

@@ -186,13 +186,13 @@ void add_suite(std::vector<Case>& cases, const std::filesystem::path& suites, in
 
 Chapter simulated_motions(const Folders& folders) {
   Chapter chapter{
-      "6. Simulated motions",
-      R"(The stochastic model of Rezaeian & Der Kiureghian (2010, RDK10) and the ground-motion models it
-is compared with, to the digits of their references. Then the results: four
-scenarios of 200 simulations each, whose median spectra are scaled to BSSA14 by a zero-phase gain
-(not published). The gain is calibrated with the same 200, so the table below also has 200 new ones,
-whose medians have a standard error of 5 %. The sigma of BSSA14 is a model of the horizontals and is
-compared with them only; the table also gives the verticals. Last, the built-in suites and the
+      "8. Simulated motions",
+      "RDK10, BSSA14; Walters et al. 2012, table 2",
+      R"(The stochastic model of Rezaeian & Der Kiureghian (2010, RDK10) and the ground-motion models are compared
+with the digits of their references. Then come the results: four scenarios of 200 simulations each. A zero-phase
+gain (not published) scales their median spectra to BSSA14. The gain was found with the same 200, so
+the table also has 200 *fresh* ones; their medians have a standard error of 5 %. The sigma of BSSA14 is
+of horizontal motions, and only these are compared with it. Last are the built-in suites and the
 requirements of Walters et al. (2012).)",
       {},
       "![Simulated horizontal spectra and BSSA14](figures/simulated_spectra_horizontal.svg)\n\n"
@@ -202,10 +202,7 @@ requirements of Walters et al. (2012).)",
   add_medians(chapter.cases);
   add_simulated_spectra(chapter.cases, folders.simulation / "simulated_spectra.csv");
   for (int level = 0; level < 5; ++level) add_suite(chapter.cases, folders.suites, level);
-  chapter.measured =
-      "\nThe ranges behind the rows of the four scenarios; *fresh* simulations are others than the "
-      "gain was found with.\n\n" +
-      read_text_file(folders.simulation / "simulated_spectra.md");
+  chapter.measured = read_text_file(folders.simulation / "simulated_spectra.md");
   for (const char* figure : {"simulated_spectra_horizontal.svg", "simulated_spectra_vertical.svg"})
     std::filesystem::copy_file(folders.simulation / figure, folders.figures / figure,
                                std::filesystem::copy_options::overwrite_existing);
