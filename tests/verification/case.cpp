@@ -23,6 +23,14 @@ Case compare(const Subject& subject, const Comparison& c) {
           difference / c.tolerance};
 }
 
+std::vector<Case> compare_all(const std::string& name, const std::string& source,
+                              std::initializer_list<Number> numbers) {
+  std::vector<Case> cases;
+  for (const auto& [quantity, comparison] : numbers)
+    cases.push_back(compare({name, quantity, source}, comparison));
+  return cases;
+}
+
 Case limit(const Subject& subject, const Bound& bound) {
   return {
       subject.name,

@@ -41,6 +41,14 @@ struct Comparison {
 /// tolerance.
 Case compare(const Subject& subject, const Comparison& comparison);
 
+struct Number {
+  std::string quantity;
+  Comparison comparison;
+};
+/// Several of one name and source.
+std::vector<Case> compare_all(const std::string& name, const std::string& source,
+                              std::initializer_list<Number> numbers);
+
 struct Bound {
   std::string metric;  ///< what `value` is: "largest relative difference of 480 histories"
   double value, at_most;

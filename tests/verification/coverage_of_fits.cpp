@@ -113,9 +113,11 @@ std::string CoverageCases::table() const {
     text += "| " + group;
     for (const std::size_t records : {7, 20, 44}) {
       const auto at = ranges.find(records);
-      text += at == ranges.end()
-                  ? std::string(" |")
-                  : fmt::format(" | {:.1f} to {:.1f}", 100 * at->second.low, 100 * at->second.high);
+      text += " |";
+      if (at == ranges.end()) continue;
+      const std::string low = fmt::format("{:.1f}", 100 * at->second.low),
+                        high = fmt::format("{:.1f}", 100 * at->second.high);
+      text += low == high ? " " + low : fmt::format(" {} to {}", low, high);
     }
     text += " |\n";
   }

@@ -20,34 +20,28 @@
 namespace glissade::verification {
 namespace {
 
-struct Number {
-  std::string quantity;
-  double value, expected, tolerance;  ///< half a digit of the expected number's last, and a tenth
-};
-
 void add_parameters(std::vector<Case>& cases) {
   const Rdk10Scores nu = rdk10_mean_scores({7.0, 20.0, 760.0});
   const Rdk10Parameters p = rdk10_parameters(nu);
   const Rdk10Envelope q(p);
-  const std::vector<Number> numbers = {{"score of J", nu[0], .9470, 5.5e-5},
-                                       {"score of D5-95", nu[1], .2422, 5.5e-5},
-                                       {"score of t_mid", nu[2], -.2821, 5.5e-5},
-                                       {"score of f_mid", nu[3], .2864, 5.5e-5},
-                                       {"score of f'", nu[4], -.1111, 5.5e-5},
-                                       {"score of zeta", nu[5], .7360, 5.5e-5},
-                                       {"J, g2 s", p.arias_g2s, .03113, 5.5e-6},
-                                       {"D5-95, s", p.significant_duration_s, 18.710, 5.5e-4},
-                                       {"t_mid, s", p.middle_time_s, 9.2369, 5.5e-5},
-                                       {"f_mid, Hz", p.middle_frequency_hz, 6.2327, 5.5e-5},
-                                       {"f', Hz/s", p.frequency_slope_hzps, -.06674, 5.5e-6},
-                                       {"zeta", p.damping_ratio, .30681, 5.5e-6},
-                                       {"envelope a1", q.a1(), .0134502, 5.5e-8},
-                                       {"envelope a2", q.a2(), 2.23158, 5.5e-6},
-                                       {"envelope a3", q.a3(), .158105, 5.5e-7}};
-  for (const Number& n : numbers)
-    cases.push_back(compare({"RDK10, strike-slip, M 7, R 20 km, V 760 m/s", n.quantity,
-                             "test vector with the coefficients of SCEC BBP rzz2015_gmpe.py"},
-                            {n.value, n.expected, n.tolerance, Metric::absolute}));
+  // Tolerances: half a digit of the last one of the number, and a tenth.
+  cases = compare_all("RDK10, strike-slip, M 7, R 20 km, V 760 m/s",
+                      "test vector with the coefficients of SCEC BBP rzz2015_gmpe.py",
+                      {{"score of J", {nu[0], .9470, 5.5e-5, Metric::absolute}},
+                       {"score of D5-95", {nu[1], .2422, 5.5e-5, Metric::absolute}},
+                       {"score of t_mid", {nu[2], -.2821, 5.5e-5, Metric::absolute}},
+                       {"score of f_mid", {nu[3], .2864, 5.5e-5, Metric::absolute}},
+                       {"score of f'", {nu[4], -.1111, 5.5e-5, Metric::absolute}},
+                       {"score of zeta", {nu[5], .7360, 5.5e-5, Metric::absolute}},
+                       {"J, g2 s", {p.arias_g2s, .03113, 5.5e-6, Metric::absolute}},
+                       {"D5-95, s", {p.significant_duration_s, 18.710, 5.5e-4, Metric::absolute}},
+                       {"t_mid, s", {p.middle_time_s, 9.2369, 5.5e-5, Metric::absolute}},
+                       {"f_mid, Hz", {p.middle_frequency_hz, 6.2327, 5.5e-5, Metric::absolute}},
+                       {"f', Hz/s", {p.frequency_slope_hzps, -.06674, 5.5e-6, Metric::absolute}},
+                       {"zeta", {p.damping_ratio, .30681, 5.5e-6, Metric::absolute}},
+                       {"envelope a1", {q.a1(), .0134502, 5.5e-8, Metric::absolute}},
+                       {"envelope a2", {q.a2(), 2.23158, 5.5e-6, Metric::absolute}},
+                       {"envelope a3", {q.a3(), .158105, 5.5e-7, Metric::absolute}}});
 }
 
 void add_medians(std::vector<Case>& cases) {

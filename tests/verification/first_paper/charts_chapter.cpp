@@ -105,7 +105,7 @@ Chapter first_paper_charts(const Folders& folders) {
   }
   return {
       "1.5 The first paper: design charts",
-      "the future work of the paper",
+      "none; its cases are in chapter 10",
       R"(Studies 09 to 13 are run with the model of the first paper: one axis, no mass of the array. The clearance
 is 1.1 times the mean of a suite, the largest over 37 buildings of 0.2 to 2 s. There is a chart for each
 Intensity Level of Walters et al. (2012). A chart is read by linear interpolation. Slip is nearly

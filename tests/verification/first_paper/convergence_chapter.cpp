@@ -102,7 +102,7 @@ std::vector<Finding> findings_on_error(const AllRecords& all) {
        fmt::format("not larger for {:g} of 22 built-in and {:g} of 22 recorded motions", built_in,
                    recorded),
        built_in + recorded == 44 ? "yes" : "not for other motions"},
-      {"P = 64 is accurate enough",
+      {"P = 64 is chosen",
        fmt::format("largest error at P = 64, relative to the exact peak: {:.2g} % built-in, {:.2g} "
                    "% recorded motions",
                    all.of("largest_of_exact_peak_percent", false),
