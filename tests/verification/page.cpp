@@ -107,22 +107,6 @@ std::string row(const std::vector<std::string>& cells) {
   return text + '\n';
 }
 
-std::vector<std::string> cells_of(const std::string& line) {
-  std::vector<std::string> cells(1);
-  bool quoted = false;
-  for (std::size_t i = 0; i < line.size(); ++i) {
-    if (line[i] == '"' && quoted && i + 1 < line.size() && line[i + 1] == '"')
-      cells.back() += line[++i];
-    else if (line[i] == '"')
-      quoted = !quoted;
-    else if (line[i] == ',' && !quoted)
-      cells.emplace_back();
-    else
-      cells.back() += line[i];
-  }
-  return cells;
-}
-
 using Same = std::function<bool(const std::string&, const std::string&)>;
 
 std::string first_difference(const std::string& committed, const std::string& made,
@@ -139,7 +123,7 @@ std::string first_difference(const std::string& committed, const std::string& ma
 }
 
 bool same_numbers(const std::string& x, const std::string& y) {
-  const std::vector<std::string> a = cells_of(x), b = cells_of(y);
+  const std::vector<std::string> a = csv_cells(x), b = csv_cells(y);
   if (a.size() != b.size()) return false;
   for (std::size_t i = 0; i < a.size(); ++i) {
     if (a[i] == b[i]) continue;
@@ -153,6 +137,22 @@ bool same_numbers(const std::string& x, const std::string& y) {
 }
 
 }  // namespace
+
+std::vector<std::string> csv_cells(const std::string& line) {
+  std::vector<std::string> cells(1);
+  bool quoted = false;
+  for (std::size_t i = 0; i < line.size(); ++i) {
+    if (line[i] == '"' && quoted && i + 1 < line.size() && line[i + 1] == '"')
+      cells.back() += line[++i];
+    else if (line[i] == '"')
+      quoted = !quoted;
+    else if (line[i] == ',' && !quoted)
+      cells.emplace_back();
+    else
+      cells.back() += line[i];
+  }
+  return cells;
+}
 
 Chapter consistency(std::vector<Chapter>& chapters) {
   Chapter own{
@@ -256,7 +256,7 @@ std::string comparable_cases(const std::string& csv) {
   std::istringstream in(csv);
   std::string text;
   for (std::string line; std::getline(in, line);) {
-    std::vector<std::string> cells = cells_of(line);
+    std::vector<std::string> cells = csv_cells(line);
     if (cells.size() > result) cells.erase(cells.begin() + result);
     text += row(cells);
   }

@@ -18,6 +18,9 @@ std::string page(const std::vector<Chapter>& chapters);
 /// All cases, one a row.
 std::string cases_csv(const std::vector<Chapter>& chapters);
 
+/// Cells of a line; quotes may hold commas, but no ends of lines.
+std::vector<std::string> csv_cells(const std::string& line);
+
 /// A page without what another machine may measure otherwise: the last column of the totals and the
 /// numbers in measured blocks.
 std::string comparable_page(const std::string& page);

@@ -16,6 +16,7 @@
 #include "glissade/motion/simulation/rdk10_process.hpp"
 #include "glissade/motion/simulation/suite_design.hpp"
 #include "glissade/motion/suite_scaling.hpp"
+#include "page.hpp"
 
 namespace glissade::verification {
 namespace {
@@ -73,13 +74,6 @@ void add_medians(std::vector<Case>& cases) {
 
 // -- the spectra of many simulations, as verify_simulation left them
 
-std::vector<std::string> split(const std::string& line) {
-  std::vector<std::string> cells;
-  std::istringstream in(line);
-  for (std::string cell; std::getline(in, cell, ',');) cells.push_back(cell);
-  return cells;
-}
-
 void add_simulated_spectra(std::vector<Case>& cases, const std::filesystem::path& file) {
   enum Column { scenario, component, period, ratio = 5, log_std_difference = 9, columns = 11 };
   struct Worst {
@@ -90,7 +84,7 @@ void add_simulated_spectra(std::vector<Case>& cases, const std::filesystem::path
   std::string line;
   std::getline(in, line);
   while (std::getline(in, line)) {
-    const auto cells = split(line);
+    const auto cells = csv_cells(line);
     if (cells.size() != columns)
       throw InputError(
           {file.string(), "a row has not 11 cells: " + line, "run verify_simulation again", ""});

@@ -10,6 +10,7 @@
 #include "glissade/core/file.hpp"
 #include "glissade/io/suite_file.hpp"
 #include "verification/chapters.hpp"
+#include "verification/page.hpp"
 
 namespace glissade::verification {
 namespace {
@@ -38,13 +39,6 @@ std::string table_of_first_record(const std::vector<convergence::Case>& cases) {
   return table;
 }
 
-std::vector<std::string> split(const std::string& line) {
-  std::vector<std::string> cells;
-  std::istringstream in(line);
-  for (std::string cell; std::getline(in, cell, ',');) cells.push_back(cell);
-  return cells;
-}
-
 /// The rows at P = 64 of the table that the program `convergence` wrote.
 struct AllRecords {
   std::vector<std::string> names;
@@ -54,9 +48,9 @@ struct AllRecords {
     std::istringstream in(read_text_file(csv));
     std::string line;
     std::getline(in, line);
-    names = split(line);
+    names = csv_cells(line);
     while (std::getline(in, line))
-      if (const auto cells = split(line); cells.size() == names.size() && cells[1] == "64")
+      if (const auto cells = csv_cells(line); cells.size() == names.size() && cells[1] == "64")
         rows.push_back(cells);
     if (rows.size() != 3) throw std::runtime_error(csv.string() + ": not three rows at P = 64");
   }

@@ -123,9 +123,9 @@ Chapter first_paper_link(const Folders& folders) {
   return {
       "1.2 The first paper: its comparison with SAP 2000",
       "the exact solution, and the comparison in the paper",
-      R"(The paper compares the residual relative displacement (RRD) of its scheme with that of SAP 2000, on a
-flat roof and on 4 degrees. PRD is the peak. SAP 2000 is the baseline. Which of the two has the error? The same cases are solved by
-`slide()`, which is exact, by the published scheme, and by a model of the link element of SAP 2000 as
+      R"(The paper compares the residual displacement (RRD) of its scheme with that of SAP 2000, on a flat
+roof and on 4 degrees. PRD is the peak displacement. SAP 2000 is the baseline. Which of the two has
+the error? The same cases are solved by `slide()`, which is exact, by the published scheme, and by a model of the link element of SAP 2000 as
 the paper describes it (tests/elastic_link): weight 1 N, springs of 100 N/mm along and normal to the
 roof, no damping, explicit Newmark steps of 1 ms (gamma 1/2, beta 0) with one iteration. SAP 2000
 itself was not run.

@@ -227,8 +227,8 @@ Chapter second_paper_statements(const Folders& folders) {
       "2.7 The second paper: what it states",
       "Walters et al. 2012, Figs. 14 to 18",
       R"(Studies 14 to 21 repeat the examples of the paper. The table at the beginning of chapter 2 has
-the statements beside our numbers. Statements that can be checked on built-in suites are cases. One statement is
-no case, because it is not confirmed: that the base shear is lower than without an array. Study
+the statements beside our numbers. Statements that can be checked on built-in suites are cases. One
+statement is no case, because it is not confirmed: that the base shear is lower than without an array. Study
 14 needs the recorded motions; its results are in [studies](../../studies/README.md#the-second-paper).)",
       {base_shear_case(shear), slope, level, at_mce},
       "",
