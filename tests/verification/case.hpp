@@ -2,6 +2,8 @@
 #pragma once
 
 #include <filesystem>
+#include <initializer_list>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -19,12 +21,14 @@ struct Subject {
   ReferenceFrom from = ReferenceFrom::outside;
 };
 
-/// One row of the manual.
+/// One row of cases.csv.
 struct Case {
   std::string name, quantity, reference, metric, tolerance;
   std::string result;  ///< the only column in which two machines may differ
   bool pass = false;
   ReferenceFrom from = ReferenceFrom::outside;
+  /// Difference over tolerance; NaN where the tolerance is a range, or zero.
+  double of_tolerance = std::numeric_limits<double>::quiet_NaN();
 };
 
 enum class Metric { absolute, relative };
@@ -36,6 +40,14 @@ struct Comparison {
 /// A number against a number: |value - expected| <= tolerance, or |value / expected - 1| <=
 /// tolerance.
 Case compare(const Subject& subject, const Comparison& comparison);
+
+struct Number {
+  std::string quantity;
+  Comparison comparison;
+};
+/// Several of one name and source.
+std::vector<Case> compare_all(const std::string& name, const std::string& source,
+                              std::initializer_list<Number> numbers);
 
 struct Bound {
   std::string metric;  ///< what `value` is: "largest relative difference of 480 histories"
@@ -59,13 +71,31 @@ Case all_equal(const Subject& subject, const Mismatches& mismatches);
 /// The larger of two differences; NaN if one of them is, so that no difference is lost.
 double worse(double a, double b);
 
-/// A part of the manual: text, its cases and, below them, figures and measured tables (in
-/// Markdown).
+std::vector<Case> joined(std::initializer_list<std::vector<Case>> parts);
+
+/// A statement of one of the two papers beside what is computed here.
+struct Finding {
+  std::string paper, here, confirmed;
+};
+
+/// "yes" or "no".
+std::string yes(bool confirmed);
+
+/// A table that is too long for the page.
+struct CsvFile {
+  std::string name, text;
+};
+
+/// A part of the manual: text, its cases and, below it, measured tables (in Markdown) and figures.
 struct Chapter {
-  std::string title, text;
+  std::string title;
+  std::string reference;  ///< the most important one, in a few words
+  std::string text;
   std::vector<Case> cases;
   std::string figures = {};
-  std::string measured = {};  ///< what another machine may measure otherwise; not compared
+  std::string measured = {};  ///< its numbers may differ on another machine
+  std::vector<Finding> findings = {};
+  std::vector<CsvFile> files = {};  ///< numbers of two decimals
 };
 
 /// Where chapters find their inputs and leave their figures.

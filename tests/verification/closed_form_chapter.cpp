@@ -223,27 +223,23 @@ std::vector<Case> flat_roof() {
 }  // namespace
 
 Chapter closed_form_solutions() {
-  Chapter chapter{
-      "1.3 Closed forms",
-      R"(Pulses, half sines and harmonics, on a block and on the building below it, against solutions
-derived from the equations piece by piece in tests/closed_forms (the derivation is beside each
-formula; tests/unit/block runs more of them). k and y are gain and yield acceleration in the
-direction of sliding, v' = k (alpha - y), with alpha the roof acceleration against it; A is an
-amplitude, D a duration, r = T / T_ground. Pulses that are linear between samples agree to rounding. A sine is not
-linear between samples, so results are of second order in the step; the value extrapolated from two
-steps (Richardson) is compared. Stops under a sine are roots of one transcendental equation. Of
-several solvers, the one with the largest error is shown.)",
-      {}};
-  const auto add = [&](const std::vector<Case>& cases) {
-    chapter.cases.insert(chapter.cases.end(), cases.begin(), cases.end());
-  };
-  add(pulses());
-  add({half_sine(0.2), half_sine(0.6), half_sine(0.9)});
-  add(flat_roof());
-  add(drifts());
-  add(roof_after_steps());
-  add(transmissibility());
-  return chapter;
+  return {
+      "3.3 Closed forms", "closed forms of pulses and harmonics",
+      R"(Pulses, half sines and harmonics act on a block and on the building below it. The references are
+solutions derived from the equations piece by piece (tests/closed_forms has the derivation beside each formula).
+Pulses that are linear between samples agree to rounding. A sine is not linear between samples: the error
+is of second order in the step, and the value extrapolated from two steps (Richardson) is compared. The
+stops under a sine are roots of one transcendental equation. Of several solvers, the one with the
+largest error is given.
+
+In cases.csv, k and y are gain and yield acceleration in the direction of sliding: v' = k (alpha - y),
+with alpha the roof acceleration against it. A is an amplitude, D a duration, r = T / T_ground.)",
+      joined({pulses(),
+              {half_sine(0.2), half_sine(0.6), half_sine(0.9)},
+              flat_roof(),
+              drifts(),
+              roof_after_steps(),
+              transmissibility()})};
 }
 
 }  // namespace glissade::verification

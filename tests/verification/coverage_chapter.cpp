@@ -149,46 +149,59 @@ std::string probability_name(double probability) {
   return "probability of " + std::to_string(std::lround(100 * probability)) + " %";
 }
 
-void add_cases(std::vector<Case>& cases, std::size_t records) {
-  const std::string name = std::to_string(records) + " records", nominal = "nominal 95 %";
+void add_lognormal(CoverageCases& cases, std::size_t records) {
   const Coverage share = coverage(records, Records::normal);
-  const auto row = [&](const std::string& quantity, double value, double high = 0.97) {
-    cases.push_back(
-        within({name, quantity, nominal}, {"share of intervals that cover", value, 0.93, high}));
-  };
   for (const auto& [data, fit] :
        {std::pair("stripes", share.stripes), std::pair("capacities", share.capacities)}) {
-    const std::string fitted = std::string(", fitted on ") + data;
-    row("median" + fitted, fit.median);
-    row("log_std" + fitted, fit.log_std);
+    const std::string fitted = std::string("fitted on ") + data;
+    const auto row = [&](const std::string& quantity, double value) {
+      cases.add({.group = fitted,
+                 .records = records,
+                 .data = "",
+                 .quantity = quantity + ", " + fitted,
+                 .share = value});
+    };
+    row("median", fit.median);
+    row("log_std", fit.log_std);
     for (std::size_t i = 0; i < band_probabilities.size(); ++i)
-      row(probability_name(band_probabilities[i]) + fitted, fit.band[i]);
+      row(probability_name(band_probabilities[i]), fit.band[i]);
   }
-  row("probability at DBE, share of the histories", share.share, 0.99);
+  cases.add({.group = "share of the histories at DBE",
+             .records = records,
+             .data = "",
+             .quantity = "probability at DBE, share of the histories",
+             .share = share.share,
+             .high = 0.99});
   if (records != 20) return;
-  cases.push_back(within({name, "median, trials taken as independent",
-                          "14 % in a simulation of this kind: a trap, not used by studies"},
-                         {"share of intervals that cover", share.naive_median, 0.0, 0.25}));
+  cases.add({.group = "trials taken as independent (not used by studies)",
+             .records = records,
+             .data = "",
+             .quantity = "median, trials taken as independent",
+             .share = share.naive_median,
+             .low = 0.0,
+             .high = 0.25,
+             .reference = "14 % in a simulation of this kind: a trap, not used by studies"});
 }
 
 /// Below the nominal coverage where the curve is not that of the capacities.
-void add_skewed(std::vector<Case>& cases, Records kind, const std::string& kind_name,
+void add_skewed(CoverageCases& cases, Records kind, const std::string& kind_name,
                 std::size_t records) {
-  const std::string name = std::to_string(records) + " records, " + kind_name;
   const Coverage share = coverage(records, kind);
-  const auto row = [&](const std::string& quantity, const char* reference, double value, double low,
-                       double high) {
-    cases.push_back(
-        within({name, quantity, reference}, {"share of intervals that cover", value, low, high}));
+  const auto row = [&](const std::string& group, const std::string& quantity, double value,
+                       double low, double high, const char* reference) {
+    cases.add(
+        {kind_name + ", " + group, records, kind_name, quantity, value, low, high, reference});
   };
-  row("median, fitted on capacities", "nominal 95 %, of a lognormal, which this is not",
-      share.capacities.median, 0.75, 0.97);
+  const char* not_lognormal = "nominal 95 %, of a lognormal, which this is not";
+  row("median", "median, fitted on capacities", share.capacities.median, 0.75, 0.97, not_lognormal);
   for (std::size_t i = 0; i < band_probabilities.size(); ++i) {
     if (band_probabilities[i] == 0.5) continue;  // the median's
-    row(probability_name(band_probabilities[i]) + ", fitted on capacities",
-        "nominal 95 %, of a lognormal, which this is not", share.capacities.band[i], 0.2, 1.0);
+    row("probabilities of 2, 10 and 90 %",
+        probability_name(band_probabilities[i]) + ", fitted on capacities",
+        share.capacities.band[i], 0.2, 1.0, not_lognormal);
   }
-  row("probability at DBE, share of the histories", "nominal 95 %", share.share, 0.93, 0.99);
+  row("share of the histories at DBE", "probability at DBE, share of the histories", share.share,
+      0.93, 0.99, "nominal 95 %");
 }
 
 // A cloud of records of one motion, about ln 0.6: slip begins at 0.35 (dispersion 0.4), of size
@@ -220,7 +233,7 @@ struct CloudShare {
   }
 };
 
-void add_cloud(std::vector<Case>& cases, std::size_t records) {
+void add_cloud(CoverageCases& cases, std::size_t records) {
   std::array shares = {CloudShare{"slope", 2.0}, CloudShare{"log_std of size", 0.5},
                        CloudShare{"intensity at which half exceed", cloud_p50},
                        CloudShare{"median of any slip", 0.35},
@@ -234,47 +247,47 @@ void add_cloud(std::vector<Case>& cases, std::size_t records) {
     shares[4].add(fit.any_log_std_interval);
   }
   for (const CloudShare& share : shares)
-    cases.push_back(
-        within({std::to_string(records) + " records, cloud", share.quantity, "nominal 95 %"},
-               {"share of intervals that cover", share.covered / static_cast<double>(share.count),
-                0.925, 0.99}));
+    cases.add({"cloud", records, "cloud", share.quantity,
+               share.covered / static_cast<double>(share.count), 0.925, 0.99});
 }
 
 }  // namespace
 
 Chapter interval_coverage() {
-  Chapter chapter{
-      "3.2 Fragility: coverage of the intervals",
-      R"(How often do the intervals of a study contain the true value? Samples of one record are no independent
-trials: the record is the unit. 2,000 studies each of 7, 20 and 44 records with 50 samples
-are simulated with known parameters: dispersion 0.35 between and 0.20 within records, 8 stripes from 0.4 to
-2.5 medians, capacities censored at the last stripe. The band of the fitted curve is read where the true
-probability is 2, 10, 50 and 90 %. At the design earthquake (DBE) 10 % of the histories exceed; the share of
-those that do has the interval of Korn & Graubard (1998): theory, 6.3. It contains a Clopper-Pearson interval, which
-covers at least its nominal level, so up to 99 % is permitted. If the coverage is
-exactly 95 %, 2,000 studies give less than 93 or more than 97 % with probability 1 in 20,000.
-
-The rows named "cloud" are of `glissade fit --cloud` (theory, 6.9): 1,000 data sets of 20 and of 44 records of one motion each, of which some do not slip.
-Those whose records are separated have no interval and are not counted.
-
-Then `glissade fit` by the form of the data (capacities of log std 0.4, 1,000 sets a row, whose share has a standard deviation of 0.7 %): one row
-a record; correlated rows of a record; censored capacities; counts that end where 4 % exceed; importance weights. Rows named "wide" may cover more
-than 97 %: few records show anything there, and the intervals, mostly open above, allow for the worst. Sets without an interval (a bound, separated counts) are not counted.
-All rows of this chapter are made by `build/dev/tests/verification/verify DIR` (coverage_chapter.cpp, coverage_of_fits.cpp).
-
-The last rows are of records whose ln capacities are not normal but exponential, with the same mean and dispersion:
-a few records much weaker ("few weak"), or much stronger ("few strong"), than the others. No lognormal has this curve: the intervals do not contain the true value as often as they state, because the fitted
-curve is not the true one; with more records they do so less often. That of the median covers 93 % with 20 records and 82 % with 44; that of the share of the histories, which assumes no curve,
-covers 95 % or more with both. Use the share where `run` warns that a fragility is not lognormal.)",
-      {}};
-  for (const std::size_t records : {7, 20, 44}) add_cases(chapter.cases, records);
-  for (const std::size_t records : {20, 44}) add_cloud(chapter.cases, records);
-  add_coverage_of_fits(chapter.cases);
+  CoverageCases cases;
+  for (const std::size_t records : {7, 20, 44}) add_lognormal(cases, records);
+  for (const std::size_t records : {20, 44}) add_cloud(cases, records);
+  add_coverage_of_fits(cases);
   for (const std::size_t records : {20, 44}) {
-    add_skewed(chapter.cases, Records::few_weak, "few weak", records);
-    add_skewed(chapter.cases, Records::few_strong, "few strong", records);
+    add_skewed(cases, Records::few_weak, "few weak", records);
+    add_skewed(cases, Records::few_strong, "few strong", records);
   }
-  return chapter;
+  return {
+      "5.2 Fragility: coverage of the intervals",
+      "simulated studies with known parameters",
+      R"(How often do the 95 % intervals contain the true value? The record is the unit: samples of one record are
+not independent trials. 2,000 studies each of 7, 20 and 44 records with 50 samples are simulated with
+known parameters: dispersion 0.35 between and 0.20 within records, 8 stripes from 0.4 to 2.5 medians,
+capacities censored at the last stripe. The band of the fitted curve is read where the true probability is
+2, 10, 50 and 90 %. If the coverage is exactly 95 %, 2,000 studies give less than 93 % or more than 97 % with
+a probability of 1 in 20,000.
+
+- *Share of the histories*: at the design earthquake (DBE) 10 % of the histories exceed. Their share has the
+  interval of Korn & Graubard (1998): theory, 6.3. It contains a Clopper-Pearson interval, so that up to
+  99 % is permitted. It assumes no curve.
+- *Cloud*: `glissade fit --cloud` (theory, 6.9), 1,000 sets of one motion a record, some without slip.
+- *`glissade fit`*: capacities with a log standard deviation of 0.4, 1,000 sets each, in several forms: one or several rows a
+  record, correlated rows, censored capacities, counts, importance weights. *Wide*: few records show anything, and
+  the intervals may cover more than 97 %.
+- *Few weak*, *few strong*: the ln capacities of the records are exponential, not normal, with the same mean and
+  dispersion. The fitted lognormal is not the true curve. Its intervals cover less than they state, and
+  less still with more records. Where `run` warns that a fragility is not lognormal, use the share.
+
+Sets without an interval (a bound, separated counts) are not counted. The table has the lowest and the
+highest coverage of the quantities of a row, in %.)",
+      cases.cases(),
+      "",
+      cases.table()};
 }
 
 }  // namespace glissade::verification

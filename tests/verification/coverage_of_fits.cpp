@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "coverage_of_fits.hpp"
 
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -92,7 +95,36 @@ struct Share {
 
 }  // namespace
 
-void add_coverage_of_fits(std::vector<Case>& cases) {
+void CoverageCases::add(const CoverageRow& row) {
+  cases_.push_back(
+      within({std::to_string(row.records) + " records" + (row.data.empty() ? "" : ", ") + row.data,
+              row.quantity, row.reference},
+             {"share of intervals that cover", row.share, row.low, row.high}));
+  auto group = std::ranges::find(groups_, row.group, [](const auto& g) { return g.first; });
+  if (group == groups_.end()) group = groups_.insert(group, {row.group, {}});
+  const auto range = group->second.try_emplace(row.records, row.share, row.share).first;
+  range->second.low = std::min(range->second.low, row.share);
+  range->second.high = std::max(range->second.high, row.share);
+}
+
+std::string CoverageCases::table() const {
+  std::string text = "| | 7 records | 20 records | 44 records |\n|---|---|---|---|\n";
+  for (const auto& [group, ranges] : groups_) {
+    text += "| " + group;
+    for (const std::size_t records : {7, 20, 44}) {
+      const auto at = ranges.find(records);
+      text += " |";
+      if (at == ranges.end()) continue;
+      const std::string low = fmt::format("{:.1f}", 100 * at->second.low),
+                        high = fmt::format("{:.1f}", 100 * at->second.high);
+      text += low == high ? " " + low : fmt::format(" {} to {}", low, high);
+    }
+    text += " |\n";
+  }
+  return text;
+}
+
+void add_coverage_of_fits(CoverageCases& cases) {
   for (const Design& design : designs) {
     for (const std::size_t records : {7, 20, 44}) {
       if (design.kind == Design::weighted && records == 7) continue;
@@ -105,10 +137,13 @@ void add_coverage_of_fits(std::vector<Case>& cases) {
       }
       for (const auto& [quantity, share] :
            {std::pair("median", median), std::pair("log_std", log_std)})
-        cases.push_back(within(
-            {std::to_string(records) + " records, " + design.name, quantity,
-             design.wide ? "nominal 95 %, wide" : "nominal 95 %"},
-            {"share of intervals that cover", share.value(), 0.93, design.wide ? 1.0 : 0.97}));
+        cases.add({.group = design.wide ? "`glissade fit`, wide" : "`glissade fit`",
+                   .records = records,
+                   .data = design.name,
+                   .quantity = quantity,
+                   .share = share.value(),
+                   .high = design.wide ? 1.0 : 0.97,
+                   .reference = design.wide ? "nominal 95 %, wide" : "nominal 95 %"});
     }
   }
 }

@@ -11,60 +11,53 @@ namespace {
 
 using namespace worked_examples;
 
-void add_baker(std::vector<Case>& cases) {
-  const std::string name = "ex1: Baker (2015), 8 stripes of 40", two = "two independent programs";
+const std::string two = "two independent programs", published = "published fit; " + two;
+
+std::vector<Case> baker() {
   const FitSummary fit = fit_stripes(baker_2015()), penalised = fit_stripes_jeffreys(baker_2015());
-  cases.push_back(compare({name, "median", two}, {fit.curve.median, 1.076115794, 1e-9}));
-  cases.push_back(compare({name, "log_std", two}, {fit.curve.log_std, 0.4292372038, 1e-9}));
-  cases.push_back(compare({name, "median, low end of 95 % profile interval", two},
-                          {fit.median_interval.low, 0.964246, 1e-6}));
-  cases.push_back(
-      compare({name, "median, high end", two}, {fit.median_interval.high, 1.306991, 1e-6}));
-  cases.push_back(
-      compare({name, "log_std, low end", two}, {fit.log_std_interval.low, 0.301758, 2e-6}));
-  cases.push_back(
-      compare({name, "log_std, high end", two}, {fit.log_std_interval.high, 0.650025, 1e-6}));
-  cases.push_back(compare({name, "log likelihood at (0.8, 0.5)", two},
-                          {stripe_log_likelihood(baker_2015(), {0.8, 0.5}), -39.433505974789, 1e-12,
-                           Metric::absolute}));
-  cases.push_back(compare({"ex1, Jeffreys penalised", "median", two},
-                          {penalised.curve.median, 1.086048945, 1e-9}));
-  cases.push_back(compare({"ex1, Jeffreys penalised", "log_std", two},
-                          {penalised.curve.log_std, 0.4478973625, 1e-9}));
+  return joined({compare_all("ex1: Baker (2015), 8 stripes of 40", two,
+                             {{"median", {fit.curve.median, 1.076115794, 1e-9}},
+                              {"log_std", {fit.curve.log_std, 0.4292372038, 1e-9}},
+                              {"median, low end of 95 % profile interval",
+                               {fit.median_interval.low, 0.964246, 1e-6}},
+                              {"median, high end", {fit.median_interval.high, 1.306991, 1e-6}},
+                              {"log_std, low end", {fit.log_std_interval.low, 0.301758, 2e-6}},
+                              {"log_std, high end", {fit.log_std_interval.high, 0.650025, 1e-6}},
+                              {"log likelihood at (0.8, 0.5)",
+                               {stripe_log_likelihood(baker_2015(), {0.8, 0.5}), -39.433505974789,
+                                1e-12, Metric::absolute}}}),
+                 compare_all("ex1, Jeffreys penalised", two,
+                             {{"median", {penalised.curve.median, 1.086048945, 1e-9}},
+                              {"log_std", {penalised.curve.log_std, 0.4478973625, 1e-9}}})});
 }
 
-void add_others(std::vector<Case>& cases) {
-  const std::string mastodon_name = "ex4: MASTODON, 7 stripes of 1,000",
-                    beetles = "ex5: Bliss (1935), beetles, probit in log10 dose",
-                    separated_name = "separated: nothing to 0.6, all from 0.8, 20 each",
-                    two = "two independent programs";
-  const FitSummary fit = fit_stripes(mastodon());
-  cases.push_back(compare({mastodon_name, "median", two}, {fit.curve.median, 0.40021328, 2e-8}));
-  cases.push_back(compare({mastodon_name, "log_std", two}, {fit.curve.log_std, 0.23842755, 3e-8}));
-  cases.push_back(compare({mastodon_name, "log10 likelihood at (0.4, 0.1)", two},
-                          {stripe_log_likelihood(mastodon(), {0.4, 0.1}) / std::log(10.0),
-                           -502.18887815, 1e-8, Metric::absolute}));
-  const FitSummary probit = fit_stripes(bliss_beetles());
-  cases.push_back(
-      compare({beetles, "intercept", "published fit; two independent programs"},
-              {-std::log(probit.curve.median) / probit.curve.log_std, -34.93525892, 2e-9}));
-  cases.push_back(compare({beetles, "slope", "published fit; two independent programs"},
-                          {std::log(10.0) / probit.curve.log_std, 19.72793422, 2e-9}));
+std::vector<Case> others() {
+  const FitSummary fit = fit_stripes(mastodon()), probit = fit_stripes(bliss_beetles()),
+                   apart = fit_stripes(separated());
   double saturated = 0.0;  // log likelihood with each stripe's own share
   for (const auto& [dose, n, k] : bliss_beetles())
     saturated += std::lgamma(n + 1) - std::lgamma(k + 1) - std::lgamma(n - k + 1) +
                  k * std::log(k / n) + (k < n ? (n - k) * std::log1p(-k / n) : 0.0);
-  cases.push_back(
-      compare({beetles, "deviance", "published fit; two independent programs"},
-              {2.0 * (saturated - probit.log_likelihood), 10.11975811, 5e-8, Metric::absolute}));
-  const FitSummary apart = fit_stripes(separated());
-  cases.push_back(compare({separated_name, "median, Jeffreys penalised", two},
-                          {apart.curve.median, 0.6928211161, 1e-9}));
-  cases.push_back(compare({separated_name, "log_std, Jeffreys penalised", two},
-                          {apart.curve.log_std, 0.06843924275, 1e-9}));
-  cases.push_back(
-      all_equal({separated_name, "labelled as penalised", "no finite maximum of the likelihood"},
-                {apart.status == FitStatus::jeffreys_penalised ? 0 : 1, 1}));
+  const std::string separated_name = "separated: nothing to 0.6, all from 0.8, 20 each";
+  return joined(
+      {compare_all("ex4: MASTODON, 7 stripes of 1,000", two,
+                   {{"median", {fit.curve.median, 0.40021328, 2e-8}},
+                    {"log_std", {fit.curve.log_std, 0.23842755, 3e-8}},
+                    {"log10 likelihood at (0.4, 0.1)",
+                     {stripe_log_likelihood(mastodon(), {0.4, 0.1}) / std::log(10.0), -502.18887815,
+                      1e-8, Metric::absolute}}}),
+       compare_all(
+           "ex5: Bliss (1935), beetles, probit in log10 dose", published,
+           {{"intercept",
+             {-std::log(probit.curve.median) / probit.curve.log_std, -34.93525892, 2e-9}},
+            {"slope", {std::log(10.0) / probit.curve.log_std, 19.72793422, 2e-9}},
+            {"deviance",
+             {2.0 * (saturated - probit.log_likelihood), 10.11975811, 5e-8, Metric::absolute}}}),
+       compare_all(separated_name, two,
+                   {{"median, Jeffreys penalised", {apart.curve.median, 0.6928211161, 1e-9}},
+                    {"log_std, Jeffreys penalised", {apart.curve.log_std, 0.06843924275, 1e-9}}}),
+       {all_equal({separated_name, "labelled as penalised", "no finite maximum of the likelihood"},
+                  {apart.status == FitStatus::jeffreys_penalised ? 0 : 1, 1})}});
 }
 
 /// The rate by a sum over the intervals of a curve, with P at the left end of each.
@@ -91,50 +84,43 @@ std::vector<HazardPoint> refined(const HazardCurve& hazard, int parts) {
   return fine;
 }
 
-void add_rates(std::vector<Case>& cases) {
+std::vector<Case> rates() {
   const FragilityCurve fragility{0.5, 0.4};
   const std::string law = "power law 1e-4 x^-2.5, median 0.5, log_std 0.4",
                     baker = "ex7: Baker's hazard curve, median 0.5, log_std 0.4";
-  cases.push_back(compare({law, "annual rate", "closed form: k0 median^-k exp(k^2 log_std^2 / 2)"},
-                          {annual_rate(HazardCurve::power_law(1e-4, 2.5), fragility),
-                           1e-4 * std::pow(0.5, -2.5) * std::exp(0.5), 1e-12}));
-  cases.push_back(
-      compare({law, "annual rate", "the worked example's digits"},
-              {annual_rate(HazardCurve::power_law(1e-4, 2.5), fragility), 9.326575926e-4, 1e-9}));
-  cases.push_back(compare({baker, "sum with P at the left of each interval, by our P",
-                           "published; two independent programs"},
-                          {left_sum(baker_hazard(), fragility), 5.5684640934e-5, 1e-9}));
+  const double of_law = annual_rate(HazardCurve::power_law(1e-4, 2.5), fragility);
   const HazardCurve hazard(baker_hazard());
   // Of step h the sum is off by c h, and by c' h^2 where two of them are extrapolated.
   const double coarse = left_sum(refined(hazard, 1000), fragility),
                fine = left_sum(refined(hazard, 2000), fragility);
   const HazardPoint& last = hazard.points().back();
-  const double beyond = fragility.probability(last.intensity) * last.annual_rate;
-  cases.push_back(
+  const double beyond = fragility.probability(last.intensity) * last.annual_rate,
+               rate = annual_rate(hazard, fragility);
+  return {
+      compare({law, "annual rate", "closed form: k0 median^-k exp(k^2 log_std^2 / 2)"},
+              {of_law, 1e-4 * std::pow(0.5, -2.5) * std::exp(0.5), 1e-12}),
+      compare({law, "annual rate", "the worked example's digits"}, {of_law, 9.326575926e-4, 1e-9}),
+      compare({baker, "sum with P at the left of each interval, by our P",
+               "published; two independent programs"},
+              {left_sum(baker_hazard(), fragility), 5.5684640934e-5, 1e-9}),
       compare({baker, "annual rate, integral",
-               "that sum over 1,000 and 2,000 parts of each interval, extrapolated, and "
-               "the rate beyond the last"},
-              {annual_rate(hazard, fragility), 2.0 * fine - coarse + beyond, 1e-7}));
-  const double rate = annual_rate(hazard, fragility);
-  cases.push_back(
+               "that sum over 1,000 and 2,000 parts of each interval, extrapolated, and the rate "
+               "beyond the last"},
+              {rate, 2.0 * fine - coarse + beyond, 1e-7}),
       compare({baker, "probability in 50 years", "1 - exp(-50 rate), by its series"},
               {probability_in(50.0, rate),
                50.0 * rate * (1.0 - 25.0 * rate * (1.0 - 50.0 / 3.0 * rate * (1.0 - 12.5 * rate))),
-               1e-11}));
+               1e-11})};
 }
 
 }  // namespace
 
 Chapter fragility() {
-  Chapter chapter{
-      "3.1 Fragility: fits and annual rates",
-      R"(Fits of published data, each compared with the result of two independent programs, to the given
-digits; annual rates against their closed form and against sums.)",
-      {}};
-  add_baker(chapter.cases);
-  add_others(chapter.cases);
-  add_rates(chapter.cases);
-  return chapter;
+  return {
+      "5.1 Fragility: fits and annual rates", "published data, two independent programs",
+      R"(Fits of published data are compared with the results of two independent programs, to the given digits.
+Annual rates are compared with their closed form and with sums.)",
+      joined({baker(), others(), rates()})};
 }
 
 }  // namespace glissade::verification

@@ -103,10 +103,11 @@ Case every_interval(const Suite& suite) {
 Chapter table_kernel(const Folders& folders) {
   const Suite suite = load_suite(folders.suites / "synthetic_level2.toml");
   Chapter chapter{
-      "1.4 Kernel",
-      R"(`peak_slip()` finds the same events over tables of V and U and skips intervals without events.
-On a rigid roof it is exact; on a building V is a quintic between nodes, exact at them,
-and the step is divided only for short periods. `glissade run` uses it on one axis.)",
+      "3.4 Kernel",
+      "equation of motion in 50 digits",
+      R"(`peak_slip()` finds the same events in tables of velocity and displacement, and skips intervals
+without events. On a rigid roof it is exact. On a building the velocity is a quintic between nodes and
+exact at them; the step is divided for short periods only. `glissade run` uses it for one axis.)",
       {rigid(suite, false), rigid(suite, true)}};
   for (const double period_s : {0.05, 0.2, 0.5, 1.0})
     chapter.cases.push_back(building(suite.motions.front(), 0.01, period_s));

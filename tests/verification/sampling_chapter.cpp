@@ -108,12 +108,13 @@ Case gain(std::uint64_t n, Estimate what, double at_least, const std::string& st
 
 Chapter sampling() {
   return {
-      "4. Sampling",
-      R"(Points against their published table, and the purpose of scrambling: at equal cost a smaller
-variance than plain Monte Carlo. The variance ratios are for slip after Ambraseys & Menu (1988)
-as a function of friction, slope, amplification and peak ground acceleration. Another surrogate
-gave the ratios of the reference column, so the smallest permitted ratio is a third of them; each
-ratio has an uncertainty factor of 1.3 (95 %).)",
+      "6. Sampling",
+      "published Sobol points; Owen 1995",
+      R"(Sobol points are compared with their published table. Scrambled points must give a smaller variance
+than plain Monte Carlo at equal cost. The variance ratios are for slip after Ambraseys & Menu (1988),
+as a function of friction, slope, amplification and peak ground acceleration. The ratios of the reference
+are of another surrogate, so that a third of them is permitted. Each ratio has an uncertainty
+factor of 1.3 (95 %).)",
       {unscrambled(), still_a_net(), gain(128, Estimate::mean_log_slip, 188, "564"),
        gain(512, Estimate::mean_log_slip, 1270, "3,809"),
        gain(2048, Estimate::mean_log_slip, 3031, "9,092"),

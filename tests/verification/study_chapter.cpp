@@ -153,13 +153,12 @@ std::vector<Case> friction_comes_back(const Suite& suite) {
 
 Chapter end_to_end(const Folders& folders) {
   const Suite suite = load_suite(folders.suites / "synthetic_level2.toml");
-  Chapter chapter{"7. End to end",
-                  "Whole studies (plan, execute, reduce) with known results.",
-                  {fixed_everything(suite), capacity_gives_clearance(suite)}};
-  for (const Case& c : similitude(suite)) chapter.cases.push_back(c);
-  chapter.cases.push_back(suite_meets_design_spectrum(suite));
-  for (const Case& c : friction_comes_back(suite)) chapter.cases.push_back(c);
-  return chapter;
+  return {"9. End to end", "similitude; the distribution of friction",
+          "Whole studies (plan, execute, reduce) with known results.",
+          joined({{fixed_everything(suite), capacity_gives_clearance(suite)},
+                  similitude(suite),
+                  {suite_meets_design_spectrum(suite)},
+                  friction_comes_back(suite)})};
 }
 
 }  // namespace glissade::verification

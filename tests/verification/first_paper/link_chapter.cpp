@@ -121,45 +121,42 @@ Chapter first_paper_link(const Folders& folders) {
   const std::vector<LinkRun> runs = run_links(suite);
   draw_links(runs, suite.motions.front(), folders.figures);
   return {
-      "8.2 The first paper: its comparison with SAP 2000",
-      R"(Rodriguez-Nikl et al. (2019) compare their scheme with SAP 2000: residual deflection (RRD) on the
-flat roof different by 6.78 % at most and 1.69 % in the mean, SAP as the baseline, at friction 0.02, 0.05,
-0.1, 0.15, 0.2 and up to 0.7; on 4 degrees at 0.1 to 0.6. Which of the two has this error? The same cases
-are solved exactly by `slide()`, by the published scheme at P = 64, and by a model of the link element
-of SAP as described in the paper (tests/elastic_link): weight 1 N, springs of 100 N/mm along the roof and
-normal to it, no damping, explicit Newmark steps (gamma 1/2, beta 0) of 1 ms with one iteration.
-
-The record of the paper is not available, and the paper gives the peak plane acceleration of 1.0 g for
-its figures only. The first horizontal components of the seven motions of suite level 4 are used instead,
-each scaled to 1.0 g, without verticals. They are sampled at 5 ms, the paper's at 10 ms, so P = 32 has the
-paper's substep. After the record a link without damping vibrates without end: its slip is that of its
-slider, without the deflection of the spring. Its friction is elastic-plastic, and it opens in tension; the
-CSI Analysis Reference Manual has the rounded knee of Wen for the friction, which is also computed. SAP 2000
+      "1.2 The first paper: its comparison with SAP 2000",
+      "the exact solution, and the comparison in the paper",
+      R"(The paper compares the residual displacement (RRD) of its scheme with that of SAP 2000, on a flat
+roof and on 4 degrees. PRD is the peak displacement. SAP 2000 is the baseline. Which of the two has
+the error? The same cases are solved by `slide()`, which is exact, by the published scheme, and by a model of the link element of SAP 2000 as
+the paper describes it (tests/elastic_link): weight 1 N, springs of 100 N/mm along and normal to the
+roof, no damping, explicit Newmark steps of 1 ms (gamma 1/2, beta 0) with one iteration. SAP 2000
 itself was not run.
 
-**Cause of the difference.** The link can vibrate, the block cannot. When a link stops sliding it
-vibrates about the static force, so it starts to slide again earlier and with a velocity of up
-to 2 mu g / omega, 10 mm/s at mu 0.5 and 100 N/mm, and keeps this error as long as it
-slides. So the stiffness governs: the error decreases with its square root, from 100 to 10,000
-N/mm by ten, toward the exact solution. A smaller substep alone changes little, so agreement of two
-substeps does not show the error. The paper found 1,000 N/mm similar, and does not state the substep
-used there: at 1 ms the explicit scheme is not stable (omega dt = 3.13 > 2), and fails below.
+The motions are the first horizontal components of suite level 4, each scaled to 1.0 g, without
+verticals. They have a step of 5 ms; the record of the paper has 10 ms. So P = 32 has the substep of
+the paper. After the record the link vibrates without end: its slip is that of the slider, without the
+deflection of the spring. Its friction is elastic-plastic, and it opens in tension. The rounded curve of
+Wen, which the CSI Analysis Reference Manual describes, is also computed.
 
-**Source of the error.** With the first motion, scheme and link differ by as much as the paper's scheme
-and SAP. With the exact solution instead of the scheme the difference remains: on the flat roof
-it is the error of the link. At the paper's substep, P = 32, the error of the scheme is smaller than that
-of the link over the seven motions; for the first it is about as large in per cent of RRD, due to the
-residual of one or two millimetres at friction 0.6 and 0.7. On 4 degrees both are below one per cent in
-the mean. The residual is a difference of larger slips in both directions: an error that is small relative
-to the peak is large relative to a small residual.
+**Cause of the difference.** The link can vibrate; the block cannot. When the link stops sliding, it
+vibrates about the static force. It then starts to slide again earlier, with a velocity of up to
+2 mu g / omega, and keeps this error as long as it slides. The error decreases with the square root of
+the stiffness, towards the exact solution. A smaller substep alone changes little, so that
+agreement of two substeps does not show the error. The paper found similar results with 1,000 N/mm and does not
+state the substep used there. With 1 ms the explicit scheme is unstable (omega dt > 2).
 
-**On 4 degrees** the link of the paper's SAP model was not in static equilibrium, and had errors at low
-friction. This is not due to the method: a link that begins in equilibrium agrees at mu 0.1 as well as at
-others. With the rounded knee, which is flexible at any force, the vibrating link creeps down the slope.)",
+**Source of the error.** On the flat roof the difference of scheme and link is mainly the error of the
+link: it remains when the exact solution replaces the scheme. The residual displacement is the
+difference of larger slips in both directions. An error that is small relative to the peak is large
+relative to a small residual.
+
+**On 4 degrees** the link of the paper was not in static equilibrium at the start, and had errors at
+low friction. A link that starts in equilibrium agrees at low friction also. With the curve of Wen,
+which is flexible at any force, the vibrating link creeps down the slope.)",
       cases(runs),
       "![Flat roof: peak and residual slip over friction](figures/first_paper_flat.svg)\n"
       "![Slope of 4 degrees: peak and residual slip over friction](figures/first_paper_4deg.svg)\n",
-      link_tables(runs)};
+      link_tables(runs),
+      link_findings(runs),
+      {link_scenes(runs)}};
 }
 
 }  // namespace glissade::verification

@@ -9,6 +9,7 @@
 
 #include "elastic_link/elastic_link.hpp"
 #include "glissade/motion/motion.hpp"
+#include "verification/case.hpp"
 
 namespace glissade::verification {
 
@@ -70,6 +71,9 @@ double residual_error_m(const LinkRun& run, Model model);
 
 /// In Markdown.
 std::string link_tables(const std::vector<LinkRun>& runs);
+/// PRD and RRD under the first motion.
+CsvFile link_scenes(const std::vector<LinkRun>& runs);
+std::vector<Finding> link_findings(const std::vector<LinkRun>& runs);
 /// PRD and RRD over friction under the first motion; two files.
 void draw_links(const std::vector<LinkRun>& runs, const Motion& first,
                 const std::filesystem::path& figures);

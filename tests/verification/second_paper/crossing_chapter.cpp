@@ -147,16 +147,12 @@ std::vector<Case> on_building() {
 
 Chapter second_paper_crossings(const Folders& folders) {
   const Suite suite = load_suite(folders.suites / "synthetic_level2.toml");
-  Chapter chapter{
-      "9.5 The second paper: impact",
-      R"(Walters et al. (2012) cannot assess a parapet because the speed of the array at impact is not known. Each
-kernel gives time and speed at which the block first reaches a given distance. Close to a stop the
-speed, and its error, is proportional to the square root of the remaining distance.)",
-      constant_push()};
-  for (const std::vector<Case>& cases :
-       {std::vector<Case>{at_the_peak()}, tabulated(suite), on_building()})
-    chapter.cases.insert(chapter.cases.end(), cases.begin(), cases.end());
-  return chapter;
+  return {
+      "2.5 The second paper: impact", "closed forms",
+      R"(The paper cannot assess a parapet, because the speed of the array at impact is not known. Each kernel
+gives the time and the speed at which the block first reaches a given distance. Near a stop the speed,
+and its error, is proportional to the square root of the remaining distance.)",
+      joined({constant_push(), {at_the_peak()}, tabulated(suite), on_building()})};
 }
 
 }  // namespace glissade::verification

@@ -150,17 +150,16 @@ std::vector<Case> pushed_past_speeds() {
 }  // namespace
 
 Chapter second_paper_friction() {
-  Chapter chapter{
-      "9.4 The second paper: friction laws",
-      R"(Walters et al. (2012) distinguish static ("breakaway") friction and sliding friction. At rest friction
-is up to `static_over_sliding` times mu; in sliding, mu may depend on speed by Constantinou, Mokha &
-Reinhorn (1990), J. Struct. Eng. 116(2):455-474. `slide_coupled()` solves the first exactly,
-`slide_on_building()` both, here to 1e-9.)",
-      constant_push()};
-  for (const std::vector<Case>& cases :
-       {std::vector<Case>{growing_push(), metastable_slope()}, coasting(), pushed_past_speeds()})
-    chapter.cases.insert(chapter.cases.end(), cases.begin(), cases.end());
-  return chapter;
+  return {
+      "2.4 The second paper: friction laws", "closed forms",
+      R"(The paper distinguishes static ("breakaway") and sliding friction. At rest, friction is up to
+`static_over_sliding` times mu. In sliding, mu may depend on speed by Constantinou, Mokha & Reinhorn
+(1990), J. Struct. Eng. 116(2):455-474. `slide_coupled()` solves the first exactly;
+`slide_on_building()` solves both, here with a tolerance of 1e-9.)",
+      joined({constant_push(),
+              {growing_push(), metastable_slope()},
+              coasting(),
+              pushed_past_speeds()})};
 }
 
 }  // namespace glissade::verification

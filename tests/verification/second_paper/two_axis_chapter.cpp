@@ -148,26 +148,26 @@ Case srss_of_maxima() {
 
 Chapter second_paper_two_axes(const Folders& folders) {
   const Convergence convergence = two_axis_convergence(folders);
-  Chapter chapter{
-      "9.3 The second paper: two axes",
-      R"(Walters et al. (2012) apply motion along both axes and the vertical at once. If the block
-slides along both axes its path is curved, and there is a closed form in limits only: `slide_two_axis()` on
-a given roof and `slide_on_building()` on a building with or without coupling integrate with error
-control. They are compared with one axis, with the available closed forms, with rotated versions of
-themselves, and with other methods: Radau IIA of order 9 in long double, with which they share no code
-(tests/two_axis_truth), and, where springs yield, the implicit midpoint rule with small steps.
+  return {
+      "2.3 The second paper: two axes",
+      "Radau IIA of order 9 in long double",
+      R"(The paper applies motion along both axes and the vertical at once. A block that slides along both axes
+has a curved path, and a closed form exists in limits only. `slide_two_axis()` (given roof) and
+`slide_on_building()` (building, with or without coupling) integrate with error control. They are
+compared with one axis, with closed forms, with rotated versions of themselves, and with other methods:
+Radau IIA in long double (tests/two_axis_truth), and the implicit midpoint rule with small steps where
+springs yield. These share no code with them.
 
 The tolerance is the permitted error of the velocity in a step, relative to the largest speed. The
-table has the resulting error of the longest displacement vector: two motions of suite level 2
-on a rigid building and on one of 0.4 and 0.7 s with m/M 0 and 0.1, flat and on 4 degrees at an
-azimuth of 0.4 rad, mu 0.3 on a circle and 0.3 by 0.2 on an ellipse, 24 scenes; the reference is
-Radau IIA in long double.)",
-      {one_axis(), coupled_one_axis(), round_scene(), turned_scene(), srss_of_maxima()}};
-  for (const std::vector<Case>& cases :
-       {two_axis_closed_forms(), two_axis_other_methods(), convergence.cases})
-    chapter.cases.insert(chapter.cases.end(), cases.begin(), cases.end());
-  chapter.measured = convergence.table;
-  return chapter;
+table has the resulting error of the longest displacement vector in 24 scenes: two motions of suite level 2;
+rigid building and buildings of 0.4 and 0.7 s with m/M 0 and 0.1; flat roof and 4 degrees at an
+azimuth of 0.4 rad; mu 0.3 on a circle, and 0.3 by 0.2 on an ellipse.)",
+      joined({{one_axis(), coupled_one_axis(), round_scene(), turned_scene(), srss_of_maxima()},
+              two_axis_closed_forms(),
+              two_axis_other_methods(),
+              convergence.cases}),
+      "",
+      convergence.table};
 }
 
 }  // namespace glissade::verification

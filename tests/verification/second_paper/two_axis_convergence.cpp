@@ -72,9 +72,8 @@ Convergence two_axis_convergence(const Folders& folders) {
 
   Convergence c;
   c.table =
-      "\n| tolerance | median error | largest | on a rigid building | m/M 0 | m/M 0.1 | flat | 4 "
-      "deg "
-      "| circle | ellipse |\n|---|---|---|---|---|---|---|---|---|---|\n";
+      "| tolerance | median error | largest | rigid building | m/M 0 | m/M 0.1 | flat | 4 deg | "
+      "circle | ellipse |\n|---|---|---|---|---|---|---|---|---|---|\n";
   for (const double tolerance : {1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8}) {
     std::vector<double> errors;
     for (std::size_t k = 0; k < scenes.size(); ++k)
