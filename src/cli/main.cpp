@@ -127,7 +127,7 @@ int end_with(const ExitStatus& ending) {
   if (!ending.message.empty())
     glissade::cli::say("glissade: {}\n", glissade::printable(ending.message));
   try {
-    glissade::cli::end_of_results();
+    glissade::cli::end_of_results(ending.status);
     return ending.status;
   } catch (const glissade::InputError& error) {
     if (ending.status == 0) glissade::cli::say("glissade: {}\n", error.what());

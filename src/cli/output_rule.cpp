@@ -38,7 +38,7 @@ void check_folder(const fs::path& folder) {
 }
 
 /// As the system answers; on some network file systems the first write decides.
-void check_may_write(const fs::path& folder) {
+void check_may_write(const fs::path& folder, const std::string& option) {
   const fs::path existing = existing_part(folder);
   std::error_code ignored;
   const bool is_folder = fs::is_directory(existing, ignored);
@@ -48,7 +48,25 @@ void check_may_write(const fs::path& folder) {
   throw InputError({folder.string(),
                     fmt::format("cannot be {} ({}): {}", is_there ? "written to" : "made",
                                 existing.string(), std::generic_category().message(error_number)),
-                    "give a folder you may write to with --out", ""});
+                    "give a folder you may write to with " + option, ""});
+}
+
+/// `run.json` of `run.json.partial.123`, which a killed command left.
+bool is_partial_of_own(const fs::path& folder, const fs::path& file) {
+  const fs::path whole = file.parent_path() / whole_name(file.filename());
+  return whole != file &&
+         std::ranges::any_of(own_files, [&](const char* name) { return folder / name == whole; });
+}
+
+/// Nothing, or what a command that was killed at its begin left: it computed nothing.
+bool is_free(const fs::path& folder) {
+  const auto is_left = [&](const fs::path& file) {
+    return file == folder / "journal/lock" || is_partial_of_own(folder, file);
+  };
+  return std::ranges::all_of(files_in(folder), [&](const fs::path& file) {
+    return file == folder / "journal" ? std::ranges::all_of(files_in(file), is_left)
+                                      : is_left(file);
+  });
 }
 
 }  // namespace
@@ -70,6 +88,10 @@ void check_output_file(const fs::path& file, const std::string& option, bool ove
   const bool leads_nowhere = fs::is_symlink(file, ignored) && !fs::exists(file, ignored);
   if (!overwrite && (leads_nowhere || fs::is_regular_file(file, ignored)))
     refuse(option, file, "is there already");
+  if (fs::is_directory(file, ignored))
+    throw InputError({option, file.string() + " is a folder", "give a file", ""});
+  if (!fs::exists(file, ignored))
+    check_may_write(file.has_parent_path() ? file.parent_path() : ".", option);
 }
 
 void check_own(const fs::path& folder) {
@@ -79,10 +101,8 @@ void check_own(const fs::path& folder) {
 
 void check_output_folder(const fs::path& folder, bool overwrite) {
   check_folder(folder);
-  check_may_write(folder);
-  std::error_code error;
-  if (!overwrite && fs::exists(folder, error) && (!fs::is_empty(folder, error) || error))
-    refuse("--out", folder, "holds a run or other files");
+  check_may_write(folder, "--out");
+  if (!overwrite && !is_free(folder)) refuse("--out", folder, "holds a run or other files");
 }
 
 void check_report_folder(const fs::path& folder, bool overwrite) {
@@ -98,11 +118,8 @@ std::unique_ptr<RunLock> take_folder(const fs::path& folder) {
   auto lock = std::make_unique<RunLock>(folder);
   for (const fs::path& in : {folder, folder / "journal"}) {
     for (const fs::path& file : files_in(in)) {
-      const fs::path whole = in / whole_name(file.filename());
       std::error_code ignored;
-      if (std::ranges::any_of(own_files,
-                              [&](const char* name) { return folder / name == whole; }) &&
-          fs::is_regular_file(fs::symlink_status(file, ignored)))
+      if (is_partial_of_own(folder, file) && fs::is_regular_file(fs::symlink_status(file, ignored)))
         fs::remove(file, ignored);
     }
   }

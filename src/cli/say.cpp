@@ -35,11 +35,11 @@ void write_result(std::string_view text) {
   note_error_unless(std::fwrite(text.data(), 1, text.size(), stdout) == text.size());
 }
 
-void end_of_results() {
+void end_of_results(int status) {
   flush_results();
   const int error = error_of_results;
   if (error == 0) return;
-  if (error == EPIPE) {
+  if (error == EPIPE && status == 0) {
     ::signal(SIGPIPE, SIG_DFL);
     ::raise(SIGPIPE);
   }

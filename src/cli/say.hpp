@@ -17,7 +17,7 @@ void take_standard_files();
 void write_result(std::string_view text);
 /// Gives the results to the system. Throws InputError where any of them could not be written. Where
 /// the reader of a pipe has what it wanted (`| head`), the process ends by SIGPIPE.
-void end_of_results();
+void end_of_results(int status);
 
 void say_text(std::string_view text);
 /// Messages and progress, on standard error, behind the results so far. What cannot be written

@@ -57,6 +57,17 @@ TEST_F(DiskFull, messages_that_cannot_be_written_change_no_exit_status) {
     EXPECT_EQ(run_shell("\"$0\" run --resume " + out + to).status, 0);
     fs::remove_all(folder_.path("out"));
   }
+  // A reader that is gone, too: a job script tells a stopped run by 75.
+  const Finished stopped = run_child(
+      {"bash", "-c",
+       "set -o pipefail; \"$0\" run " + study + " --walltime-s 0.01 --out " + out + " | true",
+       GLISSADE_PROGRAM});
+  EXPECT_EQ(stopped.status, 75);
+  // Names that are not UTF-8 are bytes like others.
+  EXPECT_EQ(run_shell("\"$0\" run " + study + " --out \"$(printf '" + folder_.path("out").string() +
+                      "\\377')\"")
+                .status,
+            0);
 }
 
 // Files that it opens then must not be its standard output or error.

@@ -110,6 +110,14 @@ TEST_F(Fit, many_rows_are_announced_and_fitted) {
   EXPECT_NEAR(Json::parse(child.out).at("median").get<double>(), 1.5, 0.02);
 }
 
+TEST_F(Fit, a_table_of_records_by_intensities_that_is_too_large_says_what_to_give) {
+  std::string text = "im,num_gms,num_exceed,record\n";
+  for (int i = 1; i <= 4000; ++i)
+    text += std::to_string(i) + ",1," + std::to_string(i % 2) + ",r" + std::to_string(i) + "\n";
+  expect_refused(run_program({"fit", "--counts", folder_.write("wide.csv", text)}),
+                 {"4000 records at 4000 intensities", "levels"});
+}
+
 TEST_F(Fit, separated_counts_are_fitted_by_the_labelled_penalty) {
   // Separated (theory.md, 6.2): x 0.2 to 1.2, k 0 0 0 20 20 20: no finite maximum; Jeffreys.
   const Json fit =

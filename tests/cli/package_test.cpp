@@ -305,6 +305,37 @@ TEST_F(Package, a_stopped_calculation_goes_on_to_the_same_package) {
   EXPECT_EQ(run_program({"clearance", "--resume", other.string()}).status, 0);  // is finished
 }
 
+TEST_F(Package, is_finished_only_where_its_results_are_whole_and_of_the_project) {
+  const fs::path other = folder_->path("finished");
+  fs::copy(out(), other, fs::copy_options::recursive);
+  const std::vector<std::string> resume = {"clearance", "--resume", other.string()};
+  folder_->write("finished/package.html", "");
+  EXPECT_EQ(run_program(resume).status, 0);
+  EXPECT_EQ(read_file(other / "package.html"), read_file(out() / "package.html"));
+  fs::remove(other / "demand/results.h5");
+  EXPECT_EQ(run_program(resume).status, 0);
+  EXPECT_TRUE(read_file(other / "demand/results.h5") == read_file(out() / "demand/results.h5"));
+  fs::remove_all(other);
+}
+
+TEST_F(Package, begins_in_a_folder_in_which_another_was_killed_at_its_begin) {
+  folder_->write("killed/run.json.partial.7", "{");
+  fs::create_directory(folder_->path("killed/journal"));
+  folder_->write("killed/journal/lock", "");
+  const std::vector<std::string> check = {"check", project_file, "--out",
+                                          folder_->path("killed").string()};
+  EXPECT_EQ(run_program(check).status, 0);
+  folder_->write("killed/notes.txt", "of the user");
+  EXPECT_EQ(run_program(check).status, 2);
+}
+
+TEST_F(Package, says_where_run_json_could_not_state_the_path_of_its_project) {
+  fs::create_directory(folder_->path("caf\xe9"));
+  expect_refused(run_program({"clearance", folder_->write("caf\xe9/own.toml", moved_project()),
+                              "--out", folder_->path("u").string()}),
+                 {"not UTF-8", "rename"});
+}
+
 // The studies are finished; the package is missing.
 TEST_F(Package, is_made_of_finished_studies_of_its_own_project_only) {
   const fs::path other = folder_->path("unpacked");

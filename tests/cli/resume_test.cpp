@@ -162,6 +162,28 @@ TEST_F(Resume, a_finished_run_is_left_as_it_is) {
   EXPECT_THAT(child.out, states("finished"));
 }
 
+TEST_F(Resume, a_finished_run_keeps_journals_that_are_not_its_own_and_makes_a_report_that_is_gone) {
+  ended_by(SIGKILL);
+  const std::vector<std::string> before = names_in(again_ / "journal");
+  const std::string other =
+      folder_->write("other.toml", replaced(small_study(), "seed = 7", "seed = 8"));
+  ASSERT_EQ(run_program({"run", other, "--out", folder_->path("other").string()}).status, 0);
+  for (const char* name : {"results.h5", "run.json"})
+    fs::copy_file(folder_->path("other") / name, again_ / name,
+                  fs::copy_options::overwrite_existing);
+  expect_refused(resume(), {"journal", "of another run"});
+  EXPECT_EQ(names_in(again_ / "journal"), before);
+
+  const fs::path finished = folder_->path("other");
+  fs::remove(finished / "report.html");
+  fs::create_directory(finished / "journal");
+  folder_->write("other/journal/mine.units", "of the user");
+  EXPECT_EQ(run_program({"run", "--resume", finished.string()}).status, 0);
+  EXPECT_TRUE(fs::exists(finished / "report.html"));
+  EXPECT_EQ(read_file(finished / "journal/mine.units"), "of the user");
+  fs::remove_all(finished);
+}
+
 /// Of a run that was killed, then finished; with the journal of the first put back.
 TEST_F(Resume, results_that_are_not_whole_are_made_again_from_the_journal) {
   ended_by(SIGKILL);

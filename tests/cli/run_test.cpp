@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <sstream>
 
 #include "cli/one_run.hpp"
 #include "cli/small_study.hpp"
@@ -251,6 +252,23 @@ TEST(RunThatDoesNotConverge, ends_with_finite_capacities_counts_and_names) {
         run_child({"h5dump", "-d", std::string("/histories/") + name, out + "/results.h5"});
     EXPECT_EQ(dump.status, 0) << dump.err;
     EXPECT_EQ(dump.out.find("nan"), std::string::npos);
+  }
+  // Nothing of such a history is known, and no number of it is zero.
+  const auto values = [&](const char* name) {
+    std::vector<std::string> found;
+    const Finished dump = run_child(
+        {"h5dump", "-y", "-w", "1", "-d", std::string("/histories/") + name, out + "/results.h5"});
+    std::istringstream lines(dump.out.substr(dump.out.find("DATA {")));
+    for (std::string word; lines >> word;)
+      if (word.find_first_of("0123456789in") == 0) found.push_back(word.substr(0, word.find(',')));
+    return found;
+  };
+  const auto failed = values("failed"), residual = values("residual_along_m");
+  ASSERT_EQ(failed.size(), residual.size());
+  for (std::size_t i = 0; i < failed.size(); ++i) {
+    if (failed[i] == "1") {
+      EXPECT_EQ(residual[i], "inf") << i;
+    }
   }
   ASSERT_EQ(run_program({"run", study, "--walltime-s", "0.01", "--out", again}).status, 75);
   EXPECT_EQ(run_program({"run", "--resume", again}).status, 0);

@@ -88,6 +88,9 @@ TEST(Suite, mistakes_are_refused) {
 TEST(Suite, design_does_not_begin_where_its_file_is_there) {
   const ScratchFolder folder;
   const std::string file = folder.write("suite.toml", "mine");
+  expect_refused(
+      run_program({"suite", "design", "--level", "2", "--out", folder.path("").string()}),
+      {"is a folder"});
   expect_refused(run_program({"suite", "design", "--level", "2", "--out", file}),
                  {"--out", "is there already"});
   EXPECT_EQ(read_file(file), "mine");

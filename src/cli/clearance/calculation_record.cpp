@@ -107,10 +107,19 @@ std::string numbers_json(const CalculationPackage& package) {
     json["checks"].push_back(
         {{"check", check.what}, {"found", check.found}, {"is_met", check.is_met}});
   json["warnings"] = warnings_of(package);
-  return json.dump(2) + "\n";
+  return json_text(json);
 }
 
 }  // namespace
+
+void check_project_path(const fs::path& project) {
+  try {
+    static_cast<void>(CalculationJson(project.string()).dump());
+  } catch (const CalculationJson::type_error&) {
+    throw InputError({project.string(), "its name, or that of a folder above it, is not UTF-8",
+                      "rename it: run.json could not state it", ""});
+  }
+}
 
 bool is_calculation(const fs::path& folder) { return !record_in(folder).is_null(); }
 
@@ -142,7 +151,7 @@ void write_begun_calculation(const CalculationIdentity& identity, const char* st
                              const fs::path& folder) {
   CalculationJson json = head_of_calculation(identity, status);
   json["what_to_do"] = resume_calculation_command(folder);
-  write_text_file(folder / "run.json", json.dump(2) + "\n");
+  write_text_file(folder / "run.json", json_text(json));
 }
 
 void write_finished_calculation(const CalculationIdentity& identity,
@@ -157,7 +166,7 @@ void write_finished_calculation(const CalculationIdentity& identity,
   json["studies"] = {"demand/run.json", "probability/run.json"};
   add_results(json, package.design);
   json["warnings"] = warnings_of(package);
-  write_text_file(folder / "run.json", json.dump(2) + "\n");
+  write_text_file(folder / "run.json", json_text(json));
 }
 
 std::string resume_calculation_command(const fs::path& folder) {

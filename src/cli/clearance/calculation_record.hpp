@@ -15,6 +15,9 @@ struct CalculationIdentity {
   std::string project_sha256;
 };
 
+/// Throws InputError where run.json could not state the path of the project.
+void check_project_path(const std::filesystem::path& project);
+
 /// Whether `glissade clearance` began in the folder.
 bool is_calculation(const std::filesystem::path& folder);
 bool is_finished_calculation(const std::filesystem::path& folder);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
 #include <cstdio>
 #include <filesystem>
 #include <functional>
@@ -141,17 +143,17 @@ class Calculation {
              : options_.out.empty() ? fs::path("results") / file.stem()
                                     : fs::path(options_.out);
       if (resumes) check_own(out_);
-      if (resumes && is_finished_calculation(out_) && fs::exists(out_ / "package.html") &&
-          fs::exists(out_ / "package.json")) {
-        put("{} is finished: {}\n", out_.string(), (out_ / "package.html").string());
-        throw ExitStatus{0};
-      }
       project_ = read_project(file);
       const CalculationIdentity now{fs::absolute(file), sha256_of_file(file)};
       if (resumes && now.project_sha256 != identity_.project_sha256)
         throw InputError({file.string(), "was changed since the calculation began",
                           "undo the change, or begin again with --overwrite", ""});
+      if (resumes && is_whole()) {
+        put("{} is finished: {}\n", out_.string(), (out_ / "package.html").string());
+        throw ExitStatus{0};
+      }
       identity_ = now;
+      check_project_path(identity_.project);
       if (!resumes) check_calculation_folder(out_, options_.overwrite);
       lock_ = take_folder(out_);
       for (const char* name : {"package.html", "package.json"})
@@ -161,6 +163,18 @@ class Calculation {
     std::vector<char> out = path_text(out_);
     world_.broadcast(out);
     out_ = std::string(out.begin(), out.end());
+  }
+
+  /// Everything that a finished calculation writes is there, and its results are whole.
+  bool is_whole() const {
+    std::error_code ignored;
+    return is_finished_calculation(out_) &&
+           std::ranges::all_of(std::array{"package.html", "package.json"},
+                               [&](const char* name) {
+                                 const auto bytes = fs::file_size(out_ / name, ignored);
+                                 return !ignored && bytes > 0;
+                               }) &&
+           has_results(out_ / "demand") && has_results(out_ / "probability");
   }
 
   static std::vector<char> path_text(const fs::path& path) {

@@ -126,7 +126,7 @@ void check_options(const FitOptions& o) {
 /// Of many rows, which take a while.
 template <class Input>
 Input announced(Input input) {
-  constexpr std::size_t many = 20000;
+  constexpr std::size_t many = 5000;
   if (input.rows.size() > many) say("glissade: fitting {} rows\n", input.rows.size());
   return input;
 }

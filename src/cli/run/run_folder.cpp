@@ -156,15 +156,26 @@ std::unique_ptr<RunLock> take_run_folder(const fs::path& folder, const Plan& pla
 
 namespace {
 
+/// A finished run removes its journal, but not that of another.
+void check_journal_is_of(const fs::path& results_file, const fs::path& folder) {
+  if (!has_identity(folder) ||
+      read_identity(folder).plan_hash == read_origin(results_file).plan_hash)
+    return;
+  throw InputError({(folder / "journal").string(),
+                    "is of another run than " + results_file.string(),
+                    "move the journal, or results.h5 and run.json, to another folder", ""});
+}
+
 /// The report that is missing is made.
 [[noreturn]] void end_finished(const fs::path& folder, const fs::path& study) {
   const fs::path results_file = folder / "results.h5", run_json = folder / "run.json";
+  check_journal_is_of(results_file, folder);
   if (!study.empty()) {
     check_same_study(read_origin(results_file).study_text, study, read_study(study).source_text,
                      folder);
   }
   std::error_code ignored;
-  const bool lacks_report = is_unreported(run_json);
+  const bool lacks_report = is_unreported(run_json) || !fs::exists(folder / "report.html", ignored);
   if (lacks_report || fs::exists(folder / "journal", ignored)) {
     const std::unique_ptr<RunLock> lock = take_folder(folder);
     if (lacks_report) {

@@ -43,6 +43,10 @@ void add_phases(Json& json, const PhaseClock& clock) {
 
 }  // namespace
 
+std::string json_text(const Json& json) {
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
 Json read_run_json(const std::filesystem::path& run_json_file) {
   constexpr std::uintmax_t most_bytes = 1u << 20;
   constexpr int most_depth = 16;  // JSON is copied and freed by recursion
@@ -67,7 +71,7 @@ std::string started_json(const std::string& study_name, const std::string& plan_
                   {"status", "started"},
                   {"started_utc", now_utc()},
                   {"host", host_name()}};
-  return json.dump(2) + "\n";
+  return json_text(json);
 }
 
 std::string run_json(const Results& results, const std::vector<Skip>& skips,
@@ -114,7 +118,7 @@ std::string run_json(const Results& results, const std::vector<Skip>& skips,
   json["skipped"] = Json::array();
   for (const Skip& skip : skips)
     json["skipped"].push_back({{"what", skip.what}, {"why", skip.why}, {"count", skip.count}});
-  return json.dump(2) + "\n";
+  return json_text(json);
 }
 
 namespace {
@@ -155,13 +159,13 @@ std::string stopped_json(const std::filesystem::path& run_json_file, const std::
   json["units_done"] = done_units;
   json["units"] = units;
   json["what_to_do"] = what_to_do;
-  return json.dump(2) + "\n";
+  return json_text(json);
 }
 
 std::string failed_json(const std::filesystem::path& run_json_file, const std::string& what_to_do) {
   Json json = stopped(run_json_file, "an error");
   json["what_to_do"] = what_to_do;
-  return json.dump(2) + "\n";
+  return json_text(json);
 }
 
 std::string part_json(const std::filesystem::path& run_json_file, std::uint64_t units) {
@@ -169,7 +173,7 @@ std::string part_json(const std::filesystem::path& run_json_file, std::uint64_t 
   json["status"] = part_finished;
   json["units_done"] = units;
   json["finished_utc"] = now_utc();
-  return json.dump(2) + "\n";
+  return json_text(json);
 }
 
 bool is_finished_part(const std::filesystem::path& run_json_file) {
@@ -190,7 +194,7 @@ std::string reported_json(const std::filesystem::path& run_json_file) {
   json["status"] = "finished";
   json["finished_utc"] = now_utc();
   json.erase("what_to_do");
-  return json.dump(2) + "\n";
+  return json_text(json);
 }
 
 namespace {

@@ -69,6 +69,18 @@ void check_rows(const std::vector<CapacityBracket>& rows) {
   check_weights(weights);
 }
 
+/// Counts are a table of records by intensities, however few of its places have any.
+void check_table(std::size_t records, std::size_t intensities) {
+  constexpr std::size_t most = 10'000'000;
+  if (records <= most / std::max<std::size_t>(1, intensities)) return;
+  throw InputError({"counts",
+                    std::to_string(records) + " records at " + std::to_string(intensities) +
+                        " intensities are more than ten million places",
+                    "give the counts at the levels of the analysis, which the records share, or "
+                    "each history as a row of --capacities or --cloud",
+                    ""});
+}
+
 /// (sum k)^2 / sum k^2; 0 where all are 0.
 double contributions(const std::vector<double>& of) {
   const Eigen::Map<const Eigen::VectorXd> k(of.data(), static_cast<Eigen::Index>(of.size()));
@@ -144,6 +156,7 @@ StripeRecords::StripeRecords(const std::vector<WeightedStripe>& rows) {
   }
   check(stripes, "stripes");
   check_weights(weights);
+  check_table(records.size(), levels.size());
   std::vector<double> intensities;
   for (auto& [intensity, j] : levels) {
     j = static_cast<Eigen::Index>(intensities.size());
@@ -332,10 +345,11 @@ BracketRecords::BracketRecords(const std::vector<CapacityBracket>& all, bool ind
     }
     const std::size_t record = independent ? rows.size() : row.record;
     const auto [at, is_new] = records.emplace(record, records.size());
-    // So narrow a bracket is a capacity, its lower end: a probability within it is lost in rounding.
+    // So narrow a bracket is a capacity, its lower end: a probability within it is lost in
+    // rounding.
     const bool is_exact = row.low > 0 && row.high < (1 + 1e-5) * row.low;
-    rows.push_back({row.low, is_exact ? row.low : row.high, row.weight, row.weight * row.weight,
-                    at->second});
+    rows.push_back(
+        {row.low, is_exact ? row.low : row.high, row.weight, row.weight * row.weight, at->second});
     equal_weights_ = equal_weights_ && row.weight == rows.front().weight;
   }
   finish(std::move(rows), records.size());

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <string_view>
 
 #include "glissade/core/bytes.hpp"
 #include "glissade/core/error.hpp"
@@ -26,11 +27,27 @@ fs::path JournalNames::units(int rank, int session) const {
   return folder / fmt::format("{}-{}.units", rank, session);
 }
 
+namespace {
+
+/// "0-1.units"
+bool is_name_of_units(const fs::path& file) {
+  const std::string name = file.stem().string();
+  const auto is_number = [](std::string_view text) {
+    return !text.empty() && text.find_first_not_of("0123456789") == std::string_view::npos;
+  };
+  const std::size_t dash = name.find('-');
+  return file.extension() == ".units" && dash != std::string::npos &&
+         is_number(std::string_view(name).substr(0, dash)) &&
+         is_number(std::string_view(name).substr(dash + 1));
+}
+
+}  // namespace
+
 std::vector<fs::path> JournalNames::all_units() const {
   std::vector<fs::path> files = files_in(folder);
   std::erase_if(files, [](const fs::path& file) {
     std::error_code ignored;
-    return file.extension() != ".units" || !fs::is_regular_file(file, ignored);
+    return !is_name_of_units(file) || !fs::is_regular_file(file, ignored);
   });
   return files;
 }

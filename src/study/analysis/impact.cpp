@@ -3,10 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "analysis/pooled_level.hpp"
 #include "glissade/core/contract.hpp"
+#include "glissade/core/finite.hpp"
 #include "glissade/core/in_parallel.hpp"
 #include "glissade/core/quantile.hpp"
 #include "glissade/fragility/share.hpp"
@@ -17,7 +17,8 @@ namespace {
 /// With fewer records that reach it the scatter between records is not estimated.
 constexpr std::ptrdiff_t fewest_records = 3;
 
-/// The crossings of one threshold at one level that happen, by record.
+/// The crossings of one threshold at one level that happen, by record. Of a history that did not
+/// converge the speed is unknown, and counted as above every other, and the time is left out.
 struct Happened {
   std::vector<std::vector<double>> time_s, speed_mps;
 
@@ -25,8 +26,14 @@ struct Happened {
       : time_s(all.records), speed_mps(all.records) {
     for (std::size_t record = 0; record < all.records; ++record) {
       for (std::size_t i = 0; i < cases.count; ++i) {
-        const std::size_t at = all.at(record, cases.first + i, level) * all.thresholds + threshold;
-        if (std::isnan(all.fields.crossing_time_s[at])) continue;
+        const std::size_t history = all.at(record, cases.first + i, level),
+                          at = history * all.thresholds + threshold;
+        if (std::isnan(all.fields.crossing_time_s[at])) {
+          if (all.fields.failed[history] != 0 &&
+              std::isinf(all.fields.peak_displacement_m[history]))
+            speed_mps[record].push_back(infinity);
+          continue;
+        }
         time_s[record].push_back(all.fields.crossing_time_s[at]);
         speed_mps[record].push_back(all.fields.crossing_speed_mps[at]);
       }
@@ -34,7 +41,7 @@ struct Happened {
   }
 
   std::ptrdiff_t records() const {
-    return std::ranges::count_if(time_s, [](const auto& times) { return !times.empty(); });
+    return std::ranges::count_if(speed_mps, [](const auto& speeds) { return !speeds.empty(); });
   }
 };
 
@@ -49,8 +56,8 @@ std::vector<double> sorted_together(const std::vector<std::vector<double>>& by_r
 /// Of the share of histories that reach it.
 Interval reached_interval(const Happened& happened, std::size_t samples) {
   std::vector<double> shares;
-  for (const std::vector<double>& times : happened.time_s)
-    shares.push_back(static_cast<double>(times.size()) / static_cast<double>(samples));
+  for (const std::vector<double>& speeds : happened.speed_mps)
+    shares.push_back(static_cast<double>(speeds.size()) / static_cast<double>(samples));
   return share_interval(shares);
 }
 
@@ -60,7 +67,7 @@ ImpactStatistics statistics_of(const Happened& happened, std::size_t samples,
                             speeds = sorted_together(happened.speed_mps);
   const std::size_t histories = happened.time_s.size() * samples;
   ImpactStatistics s;
-  s.reached_share.value = static_cast<double>(times.size()) / static_cast<double>(histories);
+  s.reached_share.value = static_cast<double>(speeds.size()) / static_cast<double>(histories);
   s.speed_median_mps.value = quantile_of_sorted(speeds, 0.5);
   s.speed_p84_mps.value = quantile_of_sorted(speeds, 0.84);
   s.speed_p95_mps = quantile_of_sorted(speeds, 0.95);
@@ -69,7 +76,7 @@ ImpactStatistics statistics_of(const Happened& happened, std::size_t samples,
   s.time_p16_s = quantile_of_sorted(times, 0.16);
   s.time_p84_s = quantile_of_sorted(times, 0.84);
   if (happened.records() < fewest_records) return s;
-  if (times.size() < histories) s.reached_share.interval = reached_interval(happened, samples);
+  if (speeds.size() < histories) s.reached_share.interval = reached_interval(happened, samples);
   const PooledLevel pooled(happened.speed_mps);
   s.speed_median_mps.interval = pooled.quantile_interval(0.5, options);
   s.speed_p84_mps.interval = pooled.quantile_interval(0.84, options);

@@ -62,7 +62,7 @@ void run_levels(const Plan& plan, Histories& histories, Skipping skipping, Histo
       } else {
         run_history(histories, level, crossings, count);
       }
-      history.peak_displacement_m = history.peak_vector_m = infinity;
+      history = unknown_history();
     } else if (histories.does_not_slide(level)) {
       ++count.below_yield;
     } else {

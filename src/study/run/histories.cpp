@@ -234,6 +234,16 @@ class CoupledHistories : public Histories {
 
 }  // namespace
 
+History unknown_history() {
+  constexpr std::array<double, 2> unknown{infinity, infinity};
+  return {.peak_displacement_m = infinity,
+          .peak_vector_m = infinity,
+          .peak_by_axis_m = unknown,
+          .residual_m = unknown,
+          .closing_m = unknown,
+          .base_shear = unknown};
+}
+
 History run_history(Histories& histories, double level, std::span<Crossing> crossings,
                     WorkCount& count) {
   try {
@@ -242,7 +252,10 @@ History run_history(Histories& histories, double level, std::span<Crossing> cros
   } catch (const NotConverged&) {
   }
   ++count.failed;
-  return {.peak_displacement_m = infinity, .peak_vector_m = infinity, .failed = true};
+  std::ranges::fill(crossings, Crossing{});
+  History history = unknown_history();
+  history.failed = true;
+  return history;
 }
 
 std::unique_ptr<Histories> histories_of(const Plan& plan, RoofStore& roofs, std::size_t record,

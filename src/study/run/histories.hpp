@@ -21,7 +21,7 @@ struct History {
   // Two axes, along the slope and across it:
   std::array<double, 2> peak_by_axis_m{}, residual_m{}, closing_m{}, base_shear{};
   bool uplift = false;
-  /// The scheme did not converge: the displacement is unknown, and reported as infinite.
+  /// The scheme did not converge.
   bool failed = false;
 };
 
@@ -45,8 +45,11 @@ class Histories {
   virtual double tipping_level(const RigidBase& base) const = 0;
 };
 
+/// Of which nothing is known but that no clearance is enough: every number is infinite.
+History unknown_history();
+
 /// Histories::at(); one that does not converge, or whose displacement is no number, is counted and
-/// reported, and the run goes on: the displacement is unknown, so no clearance is enough.
+/// reported, and the run goes on: it is an unknown_history() without crossings.
 History run_history(Histories& histories, double level, std::span<Crossing> crossings,
                     WorkCount& count);
 

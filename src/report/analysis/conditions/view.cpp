@@ -138,7 +138,9 @@ std::string conditions_text(const Results& results, const Condition& at,
 }
 
 std::string clearance_text(double clearance_m) {
-  return std::isfinite(clearance_m) ? format_length(clearance_m) : "none: the array slides freely";
+  return std::isfinite(clearance_m)
+             ? format_length(clearance_m)
+             : "none: the array slides freely, or a history did not converge";
 }
 
 Condition shown_condition(const ConditionGrid& grid) {
