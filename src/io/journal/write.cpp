@@ -131,6 +131,7 @@ std::vector<char> JournalWriter::read_next() {
 
 void JournalWriter::sync() {
   if (!state_->file) return;
+  state_->thread = {};  // ends: Linux reports a failed write once, which may be to its flush
   state_->throw_failure();
   state_->file->sync();
 }
