@@ -88,8 +88,11 @@ std::vector<std::string> improbable_values(const Motion& motion) {
 }
 
 std::vector<std::string> notes_on(const Motion& motion) {
-  if (!motion.starts_are_assumed) return {};
-  return {"components of different steps or lengths: they are assumed to start together"};
+  std::vector<std::string> notes = motion.notes;
+  if (motion.starts_are_assumed)
+    notes.emplace_back(
+        "components of different steps or lengths: they are assumed to start together");
+  return notes;
 }
 
 std::string hazard_analysis_required(const DesignTarget& target) {

@@ -128,6 +128,22 @@ void compare_clocks(const std::vector<Component>& components, Motion& motion) {
         is_stated ? "" : ", and all are assumed to start together"));
 }
 
+/// "first and vertical component: less its mean".
+void collect_notes(const std::vector<Component>& components, Motion& motion) {
+  std::vector<std::string> seen;
+  for (const Component& component : components) {
+    for (const std::string& note : component.timed.record.notes) {
+      if (std::ranges::find(seen, note) != seen.end()) continue;
+      seen.push_back(note);
+      std::string names;
+      for (const Component& other : components)
+        if (std::ranges::find(other.timed.record.notes, note) != other.timed.record.notes.end())
+          names += (names.empty() ? "" : " and ") + std::string(other.name);
+      motion.notes.push_back(names + " component: " + note);
+    }
+  }
+}
+
 }  // namespace
 
 Motion assemble_motion(Motion metadata, const TimedRecord& first,
@@ -165,6 +181,7 @@ Motion assemble_motion(Motion metadata, const TimedRecord& first,
   }
   problems.throw_if_any();
   compare_clocks(components, motion);
+  collect_notes(components, motion);
 
   for (const Component& component : components) {
     component.samples =

@@ -161,6 +161,29 @@ TEST_F(RecordInput, a_binary_file_is_not_a_record) {
   expect_text_refused("binary.sac", std::string("\0\1\2\3", 4), {"binary.sac", "not a text file"});
 }
 
+TEST_F(RecordInput, a_component_of_a_file_is_named_behind_it) {
+  const std::string file =
+      folder_.write("floor.csv", "time_s,ax_g,ay_g\n0,.1,.2\n0.01,.4,-.5\n0.02,0,0\n");
+  const std::vector<std::string> rest{"--mu", "0.1", "--slope-deg", "2", "--json"};
+  const auto slide = [&](const std::string& record) {
+    std::vector<std::string> command{"slide", record};
+    command.insert(command.end(), rest.begin(), rest.end());
+    return run_program(command);
+  };
+  EXPECT_NEAR(Json::parse(slide(file + "#ay").out)["pga_g"].get<double>(), 0.5, 1e-12);
+  EXPECT_NEAR(Json::parse(slide(file + "#1").out)["pga_g"].get<double>(), 0.4, 1e-12);
+  expect_refused(slide(file), {"floor.csv", "#1 (ax)", "#2 (ay)"});
+  expect_refused(slide(file + "#az"), {"'az'", "#2 (ay)"});
+}
+TEST_F(RecordInput, counts_need_units_and_a_gain) {
+  const std::string file = GLISSADE_SOURCE_DIR "/tests/fuzz/corpus/record/miniseed.mseed";
+  expect_refused(run_program({"slide", file, "--mu", "0.1", "--slope-deg", "2"}),
+                 {"miniseed.mseed"});
+  expect_refused(run_program({"slide", file, "--mu", "0.1", "--slope-deg", "2", "--units", "g",
+                              "--counts-per-unit", "0"}),
+                 {"--counts-per-unit", "> 0"});
+}
+
 TEST_F(RecordInput, a_vertical_with_another_step_is_reported) {
   const std::string horizontal = folder_.write("h.txt", "0.00 0.1\n0.01 0.1\n0.02 0.1\n");
   const std::string vertical = folder_.write("v.txt", "0.000 0.1\n0.007 0.1\n0.014 0.1\n");

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Record files: AT2, one column, two columns. Each input is read as it is, with a time step
-// given, and with time step and units given.
+// Record files of all formats. Each input is read as it is, with a time step given, with time step
+// and units given, and the first component of several with units and a gain.
 #include <algorithm>
 #include <cmath>
 
@@ -28,5 +28,10 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   read(file, {});
   read(file, {.dt_s = 0.01, .units = {}, .units_if_not_stated = glissade::AccelerationUnits::mps2});
   read(file, {.dt_s = 0.0039, .units = glissade::AccelerationUnits::g});
+  read(file, {.dt_s = {},
+              .units = glissade::AccelerationUnits::mps2,
+              .units_if_not_stated = {},
+              .component = "1",
+              .counts_per_unit = 1000.0});
   return 0;
 }

@@ -25,26 +25,36 @@ struct RecordFileOptions {
   std::optional<AccelerationUnits> units;
   /// Of a file that states none, where `units` is not given either: those of its suite.
   std::optional<AccelerationUnits> units_if_not_stated = std::nullopt;
+  /// Of a file of several components: the name or the number of one. With no other it is an error.
+  std::string component = {};
+  /// Counts of the recorder for one of `units`, of files that hold counts (miniSEED, COSMOS V0). >
+  /// 0.
+  std::optional<double> counts_per_unit = std::nullopt;
 };
 
-/// Reads one component, recognised by content and not by name:
-/// - PEER AT2: header lines, one of which has NPTS and DT (`NPTS=  5590, DT=   .0100 SEC,` or `7997
-/// 0.0050 NPTS, DT`),
-///   then any number of values a line. Velocities and displacements (VT2, DT2) are an error that
-///   says so.
+/// "floor.csv" and "U1" of "floor.csv#U1"; no component where the whole is a file, or has no #.
+struct ComponentAddress {
+  std::string file, component;
+};
+ComponentAddress split_address(const std::string& name);
+
+/// Reads one component of a file in any of the formats of suites/README.md, recognised by content
+/// and not by name: PEER AT2, K-NET, ESM, COSMOS, CSMIP, SMC, GeoNet, SAC, miniSEED and others,
+/// tables with a heading, and plain columns. Units and step are those of its header; what it does
+/// not state the options must, and nothing is assumed.
 /// - one column: accelerations.
 /// - two columns: time (s) and acceleration, separated by blanks, tabs or a comma. The times must
-/// be evenly spaced to
-///   the decimals they are printed with; the step is (last - first) / (n - 1), to the fewest
-///   decimals that give the last time.
+/// be evenly spaced to the decimals they are printed with; the step is (last - first) / (n - 1), to
+/// the fewest decimals that give the last time, or a whole rate that does (1/256 s).
 /// In text files `#` begins a comment. Comments before the first sample may state units ("# units:
 /// m/s2", "# time_s acceleration_g"), the step ("# DT = 0.01") and the number of samples ("# NPTS =
 /// 5590").
 ///
 /// Throws InputError (file:line, value, rule, what to do) for anything else, for values that are no
-/// finite numbers, for counts that differ from NPTS, for units that are not stated, and for a
-/// column that begins with its count or its step. The options have the names of a suite's keys
-/// there: dt_s, units.
+/// finite numbers, for counts that differ from the stated ones, for units that are not stated, for
+/// velocities and displacements, and for a column that begins with its count or its step. The
+/// options have the names of a suite's keys there: dt_s, units, counts_per_unit. What was found or
+/// changed in reading is in the record's notes.
 Record read_record(const std::filesystem::path& file, const RecordFileOptions& options = {});
 
 /// What the sources of a motion's components contradict: two stations, a vertical component as a

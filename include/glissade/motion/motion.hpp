@@ -26,6 +26,8 @@ struct Motion {
   Samples vertical_mps2;  ///< up positive
   /// What its files contradict: stations and directions of their headers, their ends.
   std::vector<std::string> contradictions;
+  /// What reading its files found or changed.
+  std::vector<std::string> notes;
   /// Its components differ in step or length, and nothing states how they lie in time.
   bool starts_are_assumed = false;
 };

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <string>
+#include <vector>
 
 #include "glissade/core/shared_list.hpp"
 
@@ -18,7 +19,10 @@ struct Record {
   std::string name;           ///< of its file, or of a simulation
   double dt_s = 0.0;          ///< > 0
   Samples acceleration_mps2;  ///< finite, at least one
-  std::string source;         ///< "EVENT, DATE, STATION, DIRECTION" of a PEER NGA file; else empty
+  /// "EVENT, DATE, STATION, DIRECTION" where the file states them; else empty.
+  std::string source;
+  /// What reading found or changed: a step by the last time, a mean that is subtracted.
+  std::vector<std::string> notes = {};
 };
 
 }  // namespace glissade

@@ -26,16 +26,19 @@ namespace {
 std::string with_options(std::string text) {
   for (const auto& [key, option] : {std::pair{"dt_s", "--dt-s"},
                                     {"give units", "give --units"},
-                                    {"units says", "--units says"}}) {
+                                    {"units says", "--units says"},
+                                    {"counts_per_unit", "--counts-per-unit"}}) {
     if (const std::size_t at = text.find(key); at != std::string::npos)
       text.replace(at, std::strlen(key), option);
   }
   return text;
 }
 
-Record read_component(const std::string& file, const RecordFileOptions& options) {
+Record read_component(const std::string& name, RecordFileOptions options) {
+  const ComponentAddress address = split_address(name);
+  options.component = address.component;
   try {
-    return read_record(file, options);
+    return read_record(address.file, options);
   } catch (const InputError& error) {
     std::vector<Problem> problems = error.problems();
     for (Problem& p : problems)
@@ -59,6 +62,7 @@ struct ReadMotion {
 ReadMotion read_motion(const SlideOptions& o) {
   RecordFileOptions file;
   file.dt_s = o.dt_s;
+  file.counts_per_unit = o.counts_per_unit;
   if (!o.units.empty()) file.units = parse_acceleration_units(o.units);
   const TimedRecord first{read_component(o.record, file), 0.0};
   std::optional<TimedRecord> second, vertical;
@@ -97,7 +101,7 @@ std::vector<std::string> warnings_on(const SlideOptions& o, const Motion& motion
 Json components_json(const std::vector<ReadComponent>& components) {
   Json json = Json::array();
   for (const auto& [name, file, record] : components) {
-    const auto& [of_file, dt_s, a, source] = record;
+    const auto& [of_file, dt_s, a, source, read_notes] = record;
     json.push_back({{"component", name},
                     {"samples", a.size()},
                     {"dt_s", dt_s},
@@ -212,7 +216,7 @@ void print_sentence(const std::string& text) {
 /// What was read: the user sees whether step and units are as they should be.
 void print_record(const SlideOptions& o, const ReadMotion& read, double pga_g) {
   for (const auto& [name, file, record] : read.components) {
-    const auto& [of_file, dt_s, a, source] = record;
+    const auto& [of_file, dt_s, a, source, read_notes] = record;
     put("{}\n  {} samples, {:g} s; PGA {:.3g} g, PGV {:.3g} m/s, PGD {:.3g} m, D5-95 {:.3g} s\n",
         file, a.size(), dt_s, peak_ground_acceleration_mps2(a) / standard_gravity_mps2,
         peak_ground_velocity_mps(dt_s, a), peak_ground_displacement_m(dt_s, a),

@@ -129,6 +129,8 @@ void check(SlideOptions& o) {
   if (o.scale) require(*o.scale > 0.0, "--scale", *o.scale, "must be > 0");
   if (o.pga_g) require(*o.pga_g > 0.0, "--pga-g", *o.pga_g, "must be > 0");
   if (o.dt_s) require(*o.dt_s > 0.0, "--dt-s", *o.dt_s, "must be > 0");
+  if (o.counts_per_unit)
+    require(*o.counts_per_unit > 0.0, "--counts-per-unit", *o.counts_per_unit, "must be > 0");
   if (o.cm_height_m)
     require(*o.cm_height_m > 0.0, "--centre-of-mass-height-m", *o.cm_height_m, "must be > 0");
   if (o.base_width_m)
@@ -163,7 +165,8 @@ void add_options(CLI::App& command, SlideOptions& o) {
   command
       .add_option(
           "record", o.record,
-          "horizontal acceleration along the slope: PEER AT2, or text of one or two columns")
+          "horizontal acceleration along the slope: a file of any format of suites/README.md, "
+          "FILE#COMPONENT of several")
       ->required();
   command.add_option("--vertical", o.vertical, "vertical acceleration, up positive");
   command.add_option(
@@ -195,6 +198,8 @@ void add_options(CLI::App& command, SlideOptions& o) {
   command.add_flag("--one-way", o.one_way, "no upslope slip (classical Newmark)");
   command.add_option("--dt-s", o.dt_s, "time step of files without one; overrides an AT2 header");
   command.add_option("--units", o.units, "units of files that do not state theirs: g, m/s2, cm/s2");
+  command.add_option("--counts-per-unit", o.counts_per_unit,
+                     "counts of the recorder for one of --units (miniSEED)");
   command.add_option("--history", o.history, "write the slip history to this CSV file (one axis)");
   add_overwrite(command, o.overwrite);
   command.add_flag("--json", o.json, "print one JSON object");

@@ -15,7 +15,7 @@ struct SlideOptions {
   std::string record, vertical, second, units, method = "event", history;
   std::vector<std::optional<double>> given;  ///< by parameters(), as options
   Case c;                                    ///< with what is given
-  std::optional<double> scale, pga_g, dt_s, cm_height_m, base_width_m, clearance_m;
+  std::optional<double> scale, pga_g, dt_s, counts_per_unit, cm_height_m, base_width_m, clearance_m;
   std::optional<int> given_substeps;  ///< absent: 64
   bool one_way = false, json = false, overwrite = false;
 

@@ -1,10 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "records/at2_header.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 
 #include "glissade/core/printable.hpp"
+#include "records/record_units.hpp"
+#include "records/time_column.hpp"
 #include "text/scan.hpp"
 
 namespace glissade {
@@ -89,9 +94,8 @@ std::string units_in_header_line(std::string_view line) {
     if (std::string unit = after(" in "); !unit.empty()) return unit;
     // A heading of columns: acceleration_g, acceleration (m/s2).
     std::string unit(word_at(lower, at + quantity.size()));
-    for (const std::string_view known : {"g", "m/s2", "cm/s2", "gal", "m/s", "cm/s"}) {
-      if (unit == known) return unit;
-    }
+    const UnitKind kind = header_unit(unit).kind;
+    if (kind == UnitKind::acceleration || kind == UnitKind::velocity) return unit;
   }
   return {};
 }
@@ -118,6 +122,27 @@ bool read_header_line(std::string_view line, std::size_t number, At2Header& head
   header.lines = number;
   read_counts(line, lower, npts_at, header);
   return true;
+}
+
+double at2_step(const std::filesystem::path& file, const At2Header& header,
+                const std::optional<double>& wanted) {
+  const std::string where = place(file, header.lines);
+  if (!wanted && header.dt_text.empty())
+    throw InputError({where, "the header has NPTS but no DT", "give the step with dt_s", ""});
+  return agreed_step(where, header.dt_text, header.dt_s, wanted);
+}
+
+void check_at2_count(const std::filesystem::path& file, const At2Header& header,
+                     std::size_t found) {
+  if (header.npts && *header.npts == found) return;
+  const std::string stated = header.npts ? std::to_string(*header.npts) : "no whole number";
+  const bool is_one_off = header.npts && (*header.npts == found + 1 || *header.npts + 1 == found);
+  throw InputError(
+      {place(file, header.lines),
+       "NPTS is " + stated + ", the file contains " + std::to_string(found) + " values",
+       is_one_off ? fmt::format("one off: where the file is whole, correct NPTS to {} there", found)
+                  : "the file is cut short or its header is wrong: get it again",
+       ""});
 }
 
 std::optional<At2Header> find_at2_header(std::string_view text) {

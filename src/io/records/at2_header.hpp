@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -27,6 +28,13 @@ std::optional<At2Header> find_at2_header(std::string_view text);
 
 /// Takes what a line of a header states; true where it holds NPTS.
 bool read_header_line(std::string_view line, std::size_t number, At2Header& header);
+
+/// The step of a header with NPTS, or `wanted`, which may mend it.
+double at2_step(const std::filesystem::path& file, const At2Header& header,
+                const std::optional<double>& wanted);
+
+/// InputError, with both counts, unless a header with NPTS states as many values as were found.
+void check_at2_count(const std::filesystem::path& file, const At2Header& header, std::size_t found);
 
 /// The units a header line states: "... IN UNITS OF CM/S", "ACCELERATION IN G", "The units are
 /// (g)", "acceleration_g"; "" if none.

@@ -22,6 +22,7 @@ std::optional<ComponentEntry> read_component_entry(const TomlTable& record, cons
   entry.start_s = table.number("start_s", not_negative).value_or(0.0);
   entry.options.dt_s = table.number("dt_s", above_zero);
   entry.options.units = read_units(table);
+  entry.options.counts_per_unit = table.number("counts_per_unit", above_zero);
   return entry;
 }
 

@@ -12,7 +12,7 @@ namespace glissade {
 
 /// A component of a [[record]].
 struct ComponentEntry {
-  std::string file;
+  std::string file;  ///< with #component, as written
   double start_s = 0.0;
   RecordFileOptions options;
 };
@@ -20,7 +20,8 @@ struct ComponentEntry {
 /// The units that a table states by the key `units`.
 std::optional<AccelerationUnits> read_units(const TomlTable& table);
 
-/// `key = "file"` or `key = { file, start_s, dt_s, units }`; nothing where the key is absent.
+/// `key = "file"` or `key = { file, start_s, dt_s, units, counts_per_unit }`; nothing where the key
+/// is absent.
 std::optional<ComponentEntry> read_component_entry(const TomlTable& record, const char* key);
 
 /// What a [[record]] states of its motion besides the samples.

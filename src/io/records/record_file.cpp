@@ -4,284 +4,69 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
-#include <optional>
 
 #include "glissade/core/error.hpp"
 #include "glissade/core/file.hpp"
 #include "glissade/core/units.hpp"
 #include "glissade/motion/improbable.hpp"
 #include "glissade/motion/intensity.hpp"
-#include "records/at2_header.hpp"
-#include "records/record_units.hpp"
+#include "records/formats/reading.hpp"
 #include "records/time_column.hpp"
 #include "text/scan.hpp"
+#include "text/utf16.hpp"
 
 namespace glissade {
 namespace {
-
-constexpr const char* what_is_read =
-    "give a PEER AT2 file, one column of accelerations, or two columns time and acceleration, with "
-    "# before comments";
-/// A finite number, or an error that names the token.
-double parse_finite(const std::filesystem::path& file, std::size_t line, std::string_view token,
-                    const char* what) {
-  const std::optional<double> value = parse_number(token);
-  if (!value) {
-    throw InputError({place(file, line),
-                      std::string(what) + " " + in_quotes(token) + " is not a number", what_is_read,
-                      ""});
-  }
-  if (!std::isfinite(*value)) {
-    throw InputError({place(file, line),
-                      std::string(what) + " " + in_quotes(token) + " is not finite",
-                      "repair the record: every sample must be a finite number", ""});
-  }
-  return *value;
-}
-
-/// A sample in m/s2.
-double parse_sample(const std::filesystem::path& file, std::size_t line, std::string_view token,
-                    double unit_mps2) {
-  const double sample_mps2 = unit_mps2 * parse_finite(file, line, token, "the value");
-  if (!(std::abs(sample_mps2) <= most_acceleration_mps2)) {
-    throw InputError({place(file, line),
-                      "the value " + in_quotes(token) + " is more than 100,000 g",
-                      "repair the record, or correct its units", ""});
-  }
-  return sample_mps2;
-}
-
-void add_sample(const std::filesystem::path& file, double sample_mps2,
-                std::vector<double>& samples_mps2) {
-  if (samples_mps2.size() == most_samples)
-    throw InputError({file.string(), fmt::format("has more than {} samples", most_samples),
-                      "give the strong part of the record", ""});
-  samples_mps2.push_back(sample_mps2);
-}
-
-double at2_step(const std::filesystem::path& file, const At2Header& header,
-                const std::optional<double>& wanted) {
-  if (wanted) {
-    // Mends a step printed with too few decimals (.0039 for 1/256), not another step.
-    const double stated = header.dt_s.value_or(*wanted);
-    if (std::abs(stated - *wanted) > 0.02 * *wanted) {
-      throw InputError(
-          {place(file, header.lines),
-           "the header's DT = " + header.dt_text + " is not dt_s = " + shortest_decimal(*wanted),
-           "leave dt_s out: the file states its step", ""});
-    }
-    return *wanted;
-  }
-  const std::string where = place(file, header.lines);
-  if (header.dt_text.empty()) {
-    throw InputError({where, "the header has NPTS but no DT", "give the step with dt_s", ""});
-  }
-  check_step(where, header.dt_text, header.dt_s.value_or(0.0));
-  return *header.dt_s;
-}
-
-void check_count(const std::filesystem::path& file, const At2Header& header, std::size_t found) {
-  if (header.npts && *header.npts == found) return;
-  const std::string stated = header.npts ? std::to_string(*header.npts) : "no whole number";
-  throw InputError(
-      {place(file, header.lines),
-       "NPTS is " + stated + ", the file contains " + std::to_string(found) + " values",
-       "the file is cut short or its header is wrong: get it again", ""});
-}
-
-Record read_at2(const std::filesystem::path& file, std::string_view text, const At2Header& header,
-                const RecordFileOptions& options) {
-  const double unit_mps2 = mps2_per_unit(units_of(file, header, options));
-  const double dt_s = at2_step(file, header, options.dt_s);
-  std::vector<double> samples;
-  LineReader reader(text);
-  while (reader.next()) {
-    if (reader.number() <= header.lines) continue;
-    for (const std::string_view token : fields(reader.line()))
-      add_sample(file, parse_sample(file, reader.number(), token, unit_mps2), samples);
-  }
-  check_count(file, header, samples.size());
-  return {file.string(), dt_s, std::move(samples), header.source};
-}
-
-constexpr std::size_t judged = 8;  ///< of the values without a time, to know a header
-
-/// Digits behind the point: programs write samples with as many each.
-std::size_t decimals_of(std::string_view token) {
-  const std::size_t point = token.find('.');
-  if (point == std::string_view::npos) return 0;
-  const std::size_t end = token.find_first_of("eEdD", point);
-  return (end == std::string_view::npos ? token.size() : end) - point - 1;
-}
-
-/// A value of a header that is no comment, before values without a time.
-struct HeaderValue {
-  double value;  ///< in the file's unit
-  const char* what;
-};
-
-/// The number of values that follow; among the first three a whole number that is nearly that, or
-/// far above all that follow, or any number that is far above them and any motion; a first whole
-/// number, however small, that is far above them.
-std::optional<HeaderValue> find_count(const Record& record, double unit_mps2) {
-  constexpr std::size_t headed = 3, least = 5;
-  constexpr double least_count = 100.0, count_error = 0.05, far_above = 3.0;
-  const Samples& a = record.acceleration_mps2;
-  if (a.size() < least) return std::nullopt;
-  const double first = a.front() / unit_mps2, after = static_cast<double>(a.size() - 1);
-  if (std::round(first) == after || std::round(first) == after - 1.0)
-    return HeaderValue{first, "the number of values that follow"};
-  if (a.size() < judged) return std::nullopt;
-  double largest_after = 0.0;
-  for (std::size_t i = headed; i < a.size(); ++i)
-    largest_after = std::max(largest_after, std::abs(a[i]) / unit_mps2);
-  for (std::size_t i = 0; i < headed; ++i) {
-    const double value = a[i] / unit_mps2;
-    if (value >= least_count && std::round(value) == value &&
-        (std::abs(value - after) <= count_error * after || value > far_above * largest_after))
-      return HeaderValue{value, "a count"};
-    // A record begins at rest.
-    if (a[i] > most_probable_pga_g * standard_gravity_mps2 && largest_after > 0.0 &&
-        value > 10.0 * largest_after)
-      return HeaderValue{value, "far above all that follow"};
-  }
-  if (first >= 1.0 && std::round(first) == first && largest_after > 0.0 &&
-      first > far_above * largest_after)
-    return HeaderValue{first, "a whole number far above all that follow"};
-  return std::nullopt;
-}
-
-/// The step, or one that is usual of recorders beside a count (of components, of parts), a hundred
-/// times the values after it, or written with other digits than they are: alone, or behind a PGA.
-/// @param decimals of the first `judged` values
-std::optional<HeaderValue> find_step(const Record& record, double unit_mps2,
-                                     const std::vector<std::size_t>& decimals) {
-  const Samples& a = record.acceleration_mps2;
-  const double first = a.front() / unit_mps2;
-  const auto equals_step = [&](double value) {
-    return std::abs(value - record.dt_s) <= 1e-9 * record.dt_s;
-  };
-  if (equals_step(first)) return HeaderValue{first, "a time step"};
-  if (a.size() < judged) return std::nullopt;
-  const double second = a[1] / unit_mps2;
-  const auto is_usual_step = [](double value) { return value >= 0.0005 && value <= 0.1; };
-  if (first >= 1.0 && std::round(first) == first && (equals_step(second) || is_usual_step(second)))
-    return HeaderValue{first, "a count, and a time step"};
-  for (std::size_t i = 0; i < 2; ++i) {
-    const double value = a[i] / unit_mps2;
-    const bool is_round = std::abs(std::remainder(value, 1e-4)) < 1e-12;
-    if (is_usual_step(value) && is_round &&
-        std::all_of(decimals.begin() + i + 1, decimals.end(),
-                    [&](auto digits) { return digits == decimals.back() && digits > decimals[i]; }))
-      return HeaderValue{value, "a time step"};
-  }
-  const auto is_far_below_first = [&](double value) {
-    return 100.0 * std::abs(value) <= std::abs(a.front());
-  };
-  if (is_usual_step(first) && std::all_of(a.begin() + 1, a.begin() + judged, is_far_below_first))
-    return HeaderValue{first, "a time step"};
-  return std::nullopt;
-}
-
-void refuse_header(const Record& record, double unit_mps2,
-                   const std::vector<std::size_t>& decimals) {
-  auto found = find_count(record, unit_mps2);
-  if (!found) found = find_step(record, unit_mps2, decimals);
-  if (!found) return;
-  throw InputError(
-      {record.name,
-       fmt::format("begins with {:g}, {}: a header, not an acceleration", found->value,
-                   found->what),
-       "put # before the lines of the header; a sample of that value needs a column of times", ""});
-}
-
-/// What the comments before the first sample state.
-At2Header comments_of(std::string_view text) {
-  At2Header header;
-  LineReader reader(text);
-  while (reader.next() && is_blank_or_comment(reader.line()))
-    read_header_line(reader.line(), reader.number(), header);
-  return header;
-}
-
-double column_step(const std::filesystem::path& file, const At2Header& header,
-                   const RecordFileOptions& options) {
-  if (!options.dt_s && !header.dt_s) {
-    throw InputError(
-        {file.string(), "one column does not give the time step", "give it with dt_s", ""});
-  }
-  return at2_step(file, header, options.dt_s);
-}
-
-Record read_columns(const std::filesystem::path& file, std::string_view text,
-                    const RecordFileOptions& options) {
-  const At2Header header = comments_of(text);
-  std::vector<double> samples;
-  TimeColumn time;
-  std::size_t columns = 0;
-  double unit_mps2 = 1.0;
-  std::vector<std::size_t> decimals;
-  LineReader reader(text);
-  while (reader.next()) {
-    if (is_blank_or_comment(reader.line())) continue;
-    const std::vector<std::string_view> parts = fields(reader.line());
-    const std::size_t line = reader.number();
-    if (columns == 0) {
-      parse_finite(file, line, parts.front(),
-                   "the value");  // text is reported as text, however many words
-      columns = parts.size();
-      if (columns <= 2) unit_mps2 = mps2_per_unit(units_of(file, header, options));
-    }
-    if (parts.size() > 2 || parts.size() != columns) {
-      throw InputError({place(file, line),
-                        std::to_string(parts.size()) +
-                            (parts.size() == 1 ? " column" : " columns") +
-                            (parts.size() > 2 ? "; at most two are read"
-                                              : ", " + std::to_string(columns) + " above"),
-                        what_is_read, ""});
-    }
-    if (columns == 2) time.add(parse_finite(file, line, parts[0], "the time"), parts[0], line);
-    add_sample(file, parse_sample(file, line, parts.back(), unit_mps2), samples);
-    if (columns == 1 && decimals.size() < judged) decimals.push_back(decimals_of(parts.back()));
-  }
-  if (columns == 0)
-    throw InputError({file.string(), "the file holds no samples", what_is_read, ""});
-  if (header.npts) check_count(file, header, samples.size());
-  Record record{file.string(), 0.0, std::move(samples), ""};
-  if (columns == 2) {
-    if (!options.dt_s && header.dt_s)
-      check_step(place(file, header.lines), header.dt_text, *header.dt_s);
-    record.dt_s = step_of(file, time, options.dt_s ? options.dt_s : header.dt_s);
-  } else {
-    record.dt_s = column_step(file, header, options);
-    refuse_header(record, unit_mps2, decimals);
-  }
-  return record;
-}
 
 void refuse_impossible(const Record& record) {
   const double pga_g =
       peak_ground_acceleration_mps2(record.acceleration_mps2) / standard_gravity_mps2;
   if (pga_g > most_possible_g)
-    throw InputError({record.name,
-                      fmt::format("PGA of {:.3g} g: no ground has shaken with more than {:g} g",
-                                  pga_g, most_possible_g),
-                      "check its units; a factor is the record's scale", ""});
+    refuse_record(record.name,
+                  fmt::format("PGA of {:.3g} g: no ground has shaken with more than {:g} g", pga_g,
+                              most_possible_g),
+                  "check its units; a factor is the record's scale");
+}
+
+/// As a spreadsheet or DOS leaves it: UTF-16, lines that end with \r alone, an end-of-file mark.
+RecordText load_record(const std::filesystem::path& file) {
+  RecordText record{file, read_text_file(file)};
+  if (is_utf16(record.text)) record.text = from_utf16(record.text);
+  if (record.text.ends_with('\x1a')) record.text.pop_back();
+  const bool is_text = record.text.find('\0') == std::string::npos;
+  if (is_text && record.text.find('\n') == std::string::npos)
+    std::ranges::replace(record.text, '\r', '\n');
+  return record;
+}
+
+const RecordFormat& format_of(const RecordText& record) {
+  const auto formats = record_formats();
+  const auto binary = std::ranges::find_if(
+      formats, [&](const RecordFormat* f) { return f->is_binary && f->matches(record); });
+  if (binary != formats.end()) return **binary;
+  refuse_no_text(record.path, record.text);
+  return **std::ranges::find_if(
+      formats, [&](const RecordFormat* f) { return !f->is_binary && f->matches(record); });
 }
 
 }  // namespace
 
+ComponentAddress split_address(const std::string& name) {
+  const std::size_t mark = name.rfind('#');
+  std::error_code ignored;
+  if (mark == std::string::npos || mark == 0 || std::filesystem::exists(name, ignored))
+    return {name, ""};
+  return {name.substr(0, mark), name.substr(mark + 1)};
+}
+
 Record read_record(const std::filesystem::path& file, const RecordFileOptions& options) {
   if (options.dt_s) check_step(file.string(), shortest_decimal(*options.dt_s), *options.dt_s);
-  const std::string text = read_text_file(file);
-  refuse_no_text(file, text);
-  const std::optional<At2Header> header = find_at2_header(text);
+  const RecordText text = load_record(file);
+  std::vector<FileComponent> components = format_of(text).read(text, options);
   Record record =
-      header ? read_at2(file, text, *header, options) : read_columns(file, text, options);
-  if (record.acceleration_mps2.empty()) {
-    throw InputError({file.string(), "the file holds no samples", what_is_read, ""});
-  }
+      std::move(components[picked_component(file, components, options.component)].record);
+  if (record.acceleration_mps2.empty())
+    refuse_record(file.string(), "the file holds no samples", what_is_read);
   refuse_impossible(record);
   return record;
 }

@@ -7,6 +7,7 @@
 #include <system_error>
 
 #include "glissade/core/error.hpp"
+#include "glissade/io/record_file.hpp"
 
 namespace glissade {
 namespace {
@@ -89,6 +90,14 @@ std::optional<fs::path> RecordFinder::find(const fs::path& name) {
       {"", name.string() + " fits " + candidates[0].string() + " and " + candidates[1].string(),
        "give more of the path, or set GLISSADE_RECORDS to the folder that holds the right one",
        ""});
+}
+
+std::optional<RecordFinder::Found> RecordFinder::find_component(const std::string& name) {
+  if (auto path = find(name)) return Found{std::move(*path), ""};
+  const auto [file, component] = split_address(name);
+  if (component.empty()) return std::nullopt;
+  auto path = find(file);
+  return path ? std::optional(Found{std::move(*path), component}) : std::nullopt;
 }
 
 }  // namespace glissade

@@ -18,6 +18,12 @@ class RecordFinder {
   /// Nothing if it is not there. Throws InputError, naming two, where the name fits several files
   /// and the relative path none or several of them.
   std::optional<std::filesystem::path> find(const std::filesystem::path& name);
+  /// The same of a name with a component behind it, floor.csv#U1, unless that is a file itself.
+  struct Found {
+    std::filesystem::path path;
+    std::string component;
+  };
+  std::optional<Found> find_component(const std::string& name);
   /// Where it looks, for a message.
   std::string searched() const;
 

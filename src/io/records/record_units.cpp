@@ -3,8 +3,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <iterator>
-#include <string_view>
 #include <utility>
 
 #include "glissade/core/error.hpp"
@@ -27,83 +27,131 @@ const AccelerationUnit& unit_of(AccelerationUnits units) {
   return *std::ranges::find(acceleration_units, units, &AccelerationUnit::units);
 }
 
-enum class HeaderUnits { none, g, mps2, cmps2, velocity, displacement, unknown };
+struct KnownUnit {
+  std::string_view name;
+  UnitKind kind;
+  double si;
+};
+constexpr double g_mps2 = standard_gravity_mps2;
+constexpr std::array known_units = {KnownUnit{"g", UnitKind::acceleration, g_mps2},
+                                    KnownUnit{"g's", UnitKind::acceleration, g_mps2},
+                                    KnownUnit{"gs", UnitKind::acceleration, g_mps2},
+                                    KnownUnit{"g/10", UnitKind::acceleration, 0.1 * g_mps2},
+                                    KnownUnit{"%g", UnitKind::acceleration, 0.01 * g_mps2},
+                                    KnownUnit{"mg", UnitKind::acceleration, 0.001 * g_mps2},
+                                    KnownUnit{"gal", UnitKind::acceleration, 0.01},
+                                    KnownUnit{"gals", UnitKind::acceleration, 0.01},
+                                    KnownUnit{"s", UnitKind::time, 1.0},
+                                    KnownUnit{"ms", UnitKind::time, 0.001},
+                                    KnownUnit{"counts", UnitKind::counts, 1.0},
+                                    KnownUnit{"count", UnitKind::counts, 1.0},
+                                    KnownUnit{"volts", UnitKind::counts, 1.0},
+                                    KnownUnit{"text", UnitKind::label, 1.0},
+                                    KnownUnit{"unitless", UnitKind::label, 1.0},
+                                    KnownUnit{"rad", UnitKind::label, 1.0},
+                                    KnownUnit{"rad/s", UnitKind::label, 1.0},
+                                    KnownUnit{"rad/s2", UnitKind::label, 1.0}};
+constexpr std::array lengths = {std::pair{"mm", 0.001}, std::pair{"cm", 0.01}, std::pair{"m", 1.0},
+                                std::pair{"in", inch_m}, std::pair{"ft", foot_m}};
+constexpr std::array of_length = {
+    std::pair{"", UnitKind::displacement}, std::pair{"/s", UnitKind::velocity},
+    std::pair{"s-1", UnitKind::velocity}, std::pair{"/s2", UnitKind::acceleration},
+    std::pair{"s-2", UnitKind::acceleration}};
 
-HeaderUnits header_units(const std::string& text) {
-  if (text.empty()) return HeaderUnits::none;
-  std::string unit = text;  // cm/sec**2, cm/sec^2, cm/sec/sec -> cm/s2
+/// cm/sec**2, cm/sec^2, cm/sec/sec -> cm/s2
+std::string plain_unit(std::string_view text) {
+  std::string unit = lower_case(trimmed(text));
   for (const auto& [from, to] :
-       std::initializer_list<std::pair<std::string_view, std::string_view>>{
-           {"sec", "s"}, {"**", ""}, {"^", ""}, {"/s/s", "/s2"}}) {
+       std::initializer_list<std::pair<std::string_view, std::string_view>>{{"seconds", "s"},
+                                                                            {"second", "s"},
+                                                                            {"secs", "s"},
+                                                                            {"sec", "s"},
+                                                                            {"**", ""},
+                                                                            {"^", ""},
+                                                                            {"\xc2\xb2", "2"},
+                                                                            {"\xb2", "2"},
+                                                                            {"/s/s", "/s2"},
+                                                                            {" ", ""},
+                                                                            {"milli", "m"}}) {
     for (std::size_t at; (at = unit.find(from)) != std::string::npos;)
       unit.replace(at, from.size(), to);
   }
-  constexpr std::array<std::pair<std::string_view, HeaderUnits>, 13> known = {
-      {{"g", HeaderUnits::g},
-       {"g's", HeaderUnits::g},
-       {"gs", HeaderUnits::g},
-       {"m/s2", HeaderUnits::mps2},
-       {"cm/s2", HeaderUnits::cmps2},
-       {"gal", HeaderUnits::cmps2},
-       {"gals", HeaderUnits::cmps2},
-       {"cm/s", HeaderUnits::velocity},
-       {"m/s", HeaderUnits::velocity},
-       {"in/s", HeaderUnits::velocity},
-       {"cm", HeaderUnits::displacement},
-       {"m", HeaderUnits::displacement},
-       {"in", HeaderUnits::displacement}}};
-  for (const auto& [name, units] : known) {
-    if (unit == name) return units;
-  }
-  return HeaderUnits::unknown;
+  while (unit.ends_with('.')) unit.pop_back();
+  return unit;
+}
+
+[[noreturn]] void refuse_unit(const std::filesystem::path& file, const StatedUnit& stated,
+                              const std::string& what, const char* suggestion) {
+  throw InputError(
+      {stated.line > 0 ? place(file, stated.line) : file.string(), what, suggestion, ""});
+}
+
+/// Of the options, for a file that states none.
+double unit_of_options_mps2(const std::filesystem::path& file, const StatedUnit& stated,
+                            const RecordFileOptions& options) {
+  if (!options.units && !options.units_if_not_stated)
+    refuse_unit(file, stated, "does not state the units of its accelerations",
+                "give units as g, m/s2 or cm/s2, or a first line \"# units: g\"");
+  const auto units = options.units ? *options.units : *options.units_if_not_stated;
+  return unit_of(units).mps2 / options.counts_per_unit.value_or(1.0);
+}
+
+void check_agrees(const std::filesystem::path& file, const StatedUnit& stated, double mps2,
+                  const RecordFileOptions& options) {
+  if (options.units && std::abs(unit_of(*options.units).mps2 - mps2) > 1e-12)
+    refuse_unit(file, stated,
+                "the header says the units are " + in_quotes(stated.text) + ", units says " +
+                    to_string(*options.units),
+                "leave the units out, or correct the file");
+  if (options.counts_per_unit)
+    refuse_unit(file, stated, "the header says the units are " + in_quotes(stated.text),
+                "leave counts_per_unit out: the file holds no counts");
 }
 
 }  // namespace
 
-double mps2_per_unit(AccelerationUnits units) { return unit_of(units).mps2; }
+HeaderUnit header_unit(std::string_view text) {
+  const std::string unit = plain_unit(text);
+  if (unit.empty()) return {};
+  for (const KnownUnit& known : known_units)
+    if (unit == known.name) return {known.kind, known.si};
+  for (const auto& [length, si] : lengths)
+    for (const auto& [rest, kind] : of_length)
+      if (unit == std::string(length) + rest) return {kind, si};
+  return {UnitKind::unknown, 1.0};
+}
 
-AccelerationUnits units_of(const std::filesystem::path& file, const At2Header& header,
+double unit_of_record_mps2(const std::filesystem::path& file, const StatedUnit& stated,
                            const RecordFileOptions& options) {
-  const auto refuse = [&](const std::string& what, const char* suggestion) {
-    throw InputError({header.units_line > 0 ? place(file, header.units_line) : file.string(), what,
-                      suggestion, ""});
-  };
-  const auto agreed = [&](AccelerationUnits stated) {
-    if (options.units && *options.units != stated) {
-      refuse("the header says the units are " + in_quotes(header.units) + ", units says " +
-                 to_string(*options.units),
-             "leave the units out, or correct the file");
-    }
-    return stated;
-  };
-  switch (header_units(header.units)) {
-    case HeaderUnits::none:
+  const HeaderUnit unit = header_unit(stated.text);
+  switch (unit.kind) {
+    case UnitKind::acceleration:
+      check_agrees(file, stated, unit.si, options);
+      return unit.si;
+    case UnitKind::velocity:
+      refuse_unit(file, stated, "units " + in_quotes(stated.text) + ": this is a velocity file",
+                  "give the acceleration file (.AT2)");
+    case UnitKind::displacement:
+      refuse_unit(file, stated, "units " + in_quotes(stated.text) + ": this is a displacement file",
+                  "give the acceleration file (.AT2)");
+    case UnitKind::counts:
+      if (!options.counts_per_unit || !options.units)
+        refuse_unit(
+            file, stated,
+            "holds " + stated.text + ", and does not state how many are one unit of acceleration",
+            "give units and counts_per_unit, the InstrumentSensitivity of the station's "
+            "metadata; or the file in acceleration");
       break;
-    case HeaderUnits::g:
-      return agreed(AccelerationUnits::g);
-    case HeaderUnits::mps2:
-      return agreed(AccelerationUnits::mps2);
-    case HeaderUnits::cmps2:
-      return agreed(AccelerationUnits::cmps2);
-    case HeaderUnits::velocity:
-      refuse("units " + in_quotes(header.units) + ": this is a velocity file",
-             "give the acceleration file (.AT2)");
+    case UnitKind::none:
       break;
-    case HeaderUnits::displacement:
-      refuse("units " + in_quotes(header.units) + ": this is a displacement file",
-             "give the acceleration file (.AT2)");
-      break;
-    case HeaderUnits::unknown:
+    case UnitKind::time:
+    case UnitKind::label:
+    case UnitKind::unknown:
       if (!options.units)
-        refuse("the units " + in_quotes(header.units) + " are not known",
-               "give units as g, m/s2 or cm/s2");
-      break;
+        refuse_unit(file, stated, "the units " + in_quotes(stated.text) + " are not known",
+                    "give units as g, m/s2 or cm/s2");
   }
-  if (!options.units && !options.units_if_not_stated) {
-    refuse("does not state the units of its accelerations",
-           "give units as g, m/s2 or cm/s2, or a first line \"# units: g\"");
-  }
-  return options.units ? *options.units : *options.units_if_not_stated;
+  return unit_of_options_mps2(file, stated, options);
 }
 
 AccelerationUnits parse_acceleration_units(const std::string& text) {

@@ -103,12 +103,12 @@ class RecordedSuiteReader {
                       "name fewer records: the levels scale each of them", ""});
   }
 
-  std::optional<std::filesystem::path> find(const TomlTable& record, const char* key,
-                                            const std::string& name) {
+  std::optional<RecordFinder::Found> find(const TomlTable& record, const char* key,
+                                          const std::string& name) {
     try {
-      auto path = finder_.find(name);
-      if (!path) missing_.push_back(name);
-      return path;
+      auto found = finder_.find_component(name);
+      if (!found) missing_.push_back(name);
+      return found;
     } catch (const InputError& error) {
       record.report(key, error);
       return std::nullopt;
@@ -122,7 +122,8 @@ class RecordedSuiteReader {
     std::error_code unknown;
     const std::filesystem::path real = std::filesystem::weakly_canonical(path, unknown);
     const auto [found, is_new] =
-        read_.try_emplace({unknown ? path : real, entry.options.dt_s, entry.options.units});
+        read_.try_emplace({unknown ? path : real, entry.options.component, entry.options.dt_s,
+                           entry.options.units, entry.options.counts_per_unit});
     if (!is_new) return found->second;
     const std::uintmax_t characters = std::filesystem::file_size(path, unknown);
     // No sample takes less than a digit and what separates it from the next.
@@ -141,18 +142,20 @@ class RecordedSuiteReader {
     auto entry = read_component_entry(record, key);
     if (!entry || record.problem_count() > problems_before) return std::nullopt;
     entry->options.units_if_not_stated = units_;
-    const auto path = find(record, key, entry->file);
-    const std::optional<Record> found = path ? read_once(*path, *entry, record, key) : std::nullopt;
+    const auto found = find(record, key, entry->file);
     if (!found) return std::nullopt;
-    return TimedRecord{*found, entry->start_s};
+    entry->options.component = found->component;
+    const std::optional<Record>& read = read_once(found->path, *entry, record, key);
+    if (!read) return std::nullopt;
+    return TimedRecord{*read, entry->start_s};
   }
 
   std::filesystem::path suite_file_;
   RecordFinder finder_;
   std::optional<AccelerationUnits> units_;
   std::vector<std::string> missing_;
-  using Source =
-      std::tuple<std::filesystem::path, std::optional<double>, std::optional<AccelerationUnits>>;
+  using Source = std::tuple<std::filesystem::path, std::string, std::optional<double>,
+                            std::optional<AccelerationUnits>, std::optional<double>>;
   std::map<Source, std::optional<Record>> read_;
   std::size_t samples_ = 0;  ///< of the motions so far
 };
@@ -296,8 +299,8 @@ std::vector<RecordFile> record_files(const std::filesystem::path& suite_file) {
   for (const TomlTable& record : document.root().tables("record")) {
     for (const char* key : {"first", "second", "vertical"}) {
       const auto entry = read_component_entry(record, key);
-      const auto path = entry ? finder.find(entry->file) : std::nullopt;
-      if (path) files.push_back({record.text("id").value_or(""), key, entry->file, *path});
+      const auto found = entry ? finder.find_component(entry->file) : std::nullopt;
+      if (found) files.push_back({record.text("id").value_or(""), key, entry->file, found->path});
     }
   }
   return files;

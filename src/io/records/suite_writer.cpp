@@ -47,7 +47,11 @@ Library read_library(const fs::path& file) {
 std::string renamed(const std::string& name, const fs::path& library, const fs::path& folder) {
   std::error_code error;
   const fs::path beside = library.parent_path() / name;
-  if (fs::path(name).is_absolute() || !fs::exists(beside, error)) return name;
+  if (fs::path(name).is_absolute()) return name;
+  if (!fs::exists(beside, error)) {
+    const auto [file, component] = split_address(name);
+    return component.empty() ? name : renamed(file, library, folder) + "#" + component;
+  }
   const fs::path relative =
       fs::proximate(fs::weakly_canonical(beside), fs::weakly_canonical(folder), error);
   return error ? fs::weakly_canonical(beside).string() : relative.string();
@@ -59,6 +63,8 @@ std::string component_toml(const ComponentEntry& component, const std::string& f
   if (component.start_s > 0.0) more += fmt::format(", start_s = {}", component.start_s);
   if (component.options.units)
     more += fmt::format(", units = {}", quoted(to_string(*component.options.units)));
+  if (component.options.counts_per_unit)
+    more += fmt::format(", counts_per_unit = {}", *component.options.counts_per_unit);
   return more.empty() ? quoted(file) : fmt::format("{{ file = {}{} }}", quoted(file), more);
 }
 

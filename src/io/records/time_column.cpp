@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "records/time_column.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <charconv>
 #include <cmath>
@@ -11,8 +13,11 @@
 namespace glissade {
 namespace {
 
-/// The fewest decimals that meet `value` to within `tolerance`.
+/// The fewest decimals that meet `value` to within `tolerance`; where they are many, a whole rate
+/// that does.
 double shortest_within(double value, double tolerance) {
+  constexpr int few = 3;
+  const double of_rate = 1.0 / std::round(1.0 / value);
   for (int digits = 0; digits < 17; ++digits) {
     char buffer[40];
     const auto end =
@@ -20,6 +25,7 @@ double shortest_within(double value, double tolerance) {
             .ptr;
     double rounded = 0.0;
     std::from_chars(buffer, end, rounded);
+    if (digits == few && std::abs(of_rate - value) <= tolerance) return of_rate;
     if (std::abs(rounded - value) <= tolerance) return rounded;
   }
   return value;
@@ -52,6 +58,23 @@ void check_step(const std::string& where, const std::string& text, double dt_s) 
   if (std::isfinite(dt_s) && dt_s > 0.0) return;
   throw InputError({where, "the time step dt = " + text + " s is not above 0",
                     "give the true step with dt_s", ""});
+}
+
+double agreed_step(const std::string& where, const std::string& text,
+                   const std::optional<double>& stated, const std::optional<double>& wanted) {
+  if (!wanted) {
+    check_step(where, text, stated.value_or(0.0));
+    return *stated;
+  }
+  if (std::abs(stated.value_or(*wanted) - *wanted) <= 0.02 * *wanted) return *wanted;
+  throw InputError({where,
+                    "the header's DT = " + text + " is not dt_s = " + shortest_decimal(*wanted),
+                    "leave dt_s out: the file states its step", ""});
+}
+
+void TimeColumn::scale(double factor) {
+  for (double& time_s : times_s) time_s *= factor;
+  resolution_s *= factor;
 }
 
 void TimeColumn::add(double time_s, std::string_view token, std::size_t line) {
@@ -88,6 +111,18 @@ double step_of(const std::filesystem::path& file, const TimeColumn& column,
                           shortest_decimal(*wanted) + " s",
                       "leave dt_s out, or correct the file", ""});
   }
+  return dt_s;
+}
+
+double noted_step(const std::filesystem::path& file, const TimeColumn& column,
+                  const std::optional<double>& wanted, std::vector<std::string>& notes) {
+  const double dt_s = step_of(file, column, wanted);
+  const std::vector<double>& t = column.times_s;
+  const double printed_s = t.size() > 1 ? t[1] - t[0] : dt_s;
+  if (std::abs(printed_s - dt_s) > 1e-6 * dt_s)
+    notes.push_back(fmt::format(
+        "the step is {:.7g} s, that of its first and last time: between printed times it is {:.4g}",
+        dt_s, printed_s));
   return dt_s;
 }
 

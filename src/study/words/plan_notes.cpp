@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <iterator>
+#include <map>
 #include <span>
 
 #include "glissade/study/plan/one_mass.hpp"
@@ -64,6 +65,13 @@ std::vector<std::string> notes_on_records(const Plan& plan) {
         fmt::format("{} of {} records have components of different steps or lengths, "
                     "assumed to start together: {}",
                     assumed.size(), records, listed(assumed)));
+  std::map<std::string, std::vector<std::string>> read_so;
+  for (std::size_t record = 0; record < records; ++record)
+    for (const std::string& note : plan.motion(record).notes)
+      read_so[note].push_back(plan.motion(record).id);
+  for (const auto& [note, ids] : read_so)
+    notes.push_back(
+        fmt::format("{} of {} records, {}: {}", ids.size(), records, note, listed(ids)));
   if (records == 1) notes.push_back("one record: the scatter between records is not estimated");
   return notes;
 }

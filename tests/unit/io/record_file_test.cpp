@@ -88,7 +88,8 @@ TEST_F(RecordFile, more_than_any_ground_has_shaken_with_is_refused) {
 
 TEST_F(RecordFile, npts_that_differs_from_the_values_reports_both_counts) {
   refuses({{at2_head + "NPTS= 4, DT= .01 SEC\n1 2 3\n", "record:4", {"4", "3"}},
-           {at2_head + "NPTS= 2, DT= .01 SEC\n1 2 3\n", "record:4", {"2", "3"}},
+           {at2_head + "NPTS= 2, DT= .01 SEC\n1 2 3\n", "record:4", {"2", "3", "one off"}},
+           {at2_head + "NPTS= 5, DT= .01 SEC\n1 2 3\n", "record:4", {"5", "3", "cut short"}},
            {at2_head + "NPTS= 99999999999999999999999, DT= .01 SEC\n1\n", "record:4", {"NPTS"}},
            {at2_head + "NPTS= 0, DT= .01 SEC\n", "record", {}}});
 }

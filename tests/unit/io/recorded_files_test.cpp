@@ -5,7 +5,6 @@
 #include <cmath>
 #include <cstdlib>
 #include <optional>
-#include <set>
 #include <span>
 
 #include "glissade/core/units.hpp"
@@ -141,31 +140,6 @@ TEST_F(Recorded, text_files_of_one_and_two_columns_are_read) {
                  slammer)
                 .acceleration_mps2.size(),
             7814u);
-}
-
-TEST_F(Recorded, files_of_other_formats_are_refused_with_the_place) {
-  EXPECT_THAT(error("formats/plain_multi_column/sct190985.txt"),
-              test::states("sct190985.txt:1", "4"));
-  EXPECT_THAT(error("formats/g3_headerless_5col/RSN1546_CHICHI_TCU122-E.AT2.g3"),
-              test::states("5 columns"));
-  EXPECT_THAT(error("formats/sac/test.sac"), test::states("text"));
-  EXPECT_THAT(error("formats/eqsig_two_line_header/test_motion_dt0p01.txt"),
-              test::states("'test-motion'"));
-  std::size_t tried = 0;
-  const std::set<std::string> readable = {
-      "peer_at2_nga_west2",       "peer_at2_nga_east",     "peer_at2_old",
-      "peer_at2_reqpy_written",   "plain_two_column",      "plain_one_column_csv_dt_elsewhere",
-      "csv_time_accel_commented", "opensees_tcl_and_plain"};
-  for (const auto& folder : fs::directory_iterator(folder_ / "formats")) {
-    if (readable.contains(folder.path().filename().string())) continue;
-    for (const auto& entry : fs::directory_iterator(folder.path())) {
-      EXPECT_THROW(read_record(entry.path(), {.dt_s = 0.01, .units = AccelerationUnits::g}),
-                   InputError)
-          << entry.path();
-      ++tried;
-    }
-  }
-  EXPECT_GT(tried, 50u);
 }
 
 class RecordedSuite : public Recorded {

@@ -70,6 +70,25 @@ second = { file = "b.txt", units = "cm/s2" }
   EXPECT_TRUE(motion.vertical_mps2.empty());
 }
 
+TEST_F(SuiteFile, components_of_one_file_are_named_behind_it) {
+  folder_.write("suites/floor.csv", "time_s,ax_g,ay_g,az_g\n0,.1,.2,.3\n0.01,.4,.5,.6\n");
+  const std::string record = "[[record]]\nid = \"a\"\nfirst = \"floor.csv#ax\"\n";
+  const Suite suite =
+      load(head + record + "second = \"floor.csv#2\"\nvertical = { file = \"floor.csv#az\" }\n");
+  constexpr double g = standard_gravity_mps2;
+  const Motion& motion = suite.motions.at(0);
+  EXPECT_THAT(motion.horizontal_mps2[0], ElementsAre(DoubleEq(.1 * g), DoubleEq(.4 * g)));
+  EXPECT_THAT(motion.horizontal_mps2[1], ElementsAre(DoubleEq(.2 * g), DoubleEq(.5 * g)));
+  EXPECT_THAT(motion.vertical_mps2, ElementsAre(DoubleEq(.3 * g), DoubleEq(.6 * g)));
+  EXPECT_EQ(record_files(folder_.path() / "suites/suite.toml").at(2).path,
+            folder_.path() / "suites/floor.csv");
+  refuses({{head + "[[record]]\nid = \"a\"\nfirst = \"floor.csv\"\n",
+            "suite.toml:6",
+            {"#1 (ax)", "#2 (ay)", "#3 (az)"}},
+           {head + record + "second = \"floor.csv#u\"\n", "suite.toml:7", {"'u'", "#1 (ax)"}},
+           {head + record + "second = \"none.csv#u\"\n", "suite.toml", {"1 record file"}}});
+}
+
 TEST_F(SuiteFile, units_of_a_suite_are_those_of_files_that_state_none) {
   const std::string record = "[[record]]\nid = \"a\"\nfirst = \"a.txt\"\n";
   folder_.write("suites/a.txt", "0 100\n0.01 200\n");

@@ -97,5 +97,16 @@ TEST_F(SuiteWriter, refuses_a_record_the_library_does_not_have) {
               test::states("library.toml", "nobody"));
 }
 
+TEST_F(SuiteWriter, components_and_gains_go_with_their_files) {
+  folder_.write("library/floor.csv", "time_s,ax_g,ay_g\n0,.1,.2\n0.01,.4,.5\n");
+  library_ = folder_.write("library/library.toml",
+                           "[suite]\nname = \"l\"\n[[record]]\nid = \"f\"\nfirst = "
+                           "\"floor.csv#ax\"\nsecond = { file = \"floor.csv#ay\", units = "
+                           "\"g\", counts_per_unit = 2.5 }\n");
+  const std::string text = text_for("elsewhere", {{"f", 1.0}});
+  EXPECT_THAT(text, HasSubstr("first = \"../library/floor.csv#ax\""));
+  EXPECT_THAT(text, HasSubstr("floor.csv#ay\", units = \"g\", counts_per_unit = 2.5"));
+}
+
 }  // namespace
 }  // namespace glissade

@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// COSMOS V0, V1 and V2: per channel 13 text lines, 100 integers, 100 reals (the 34th is the step),
+// comments, a line with count, unit and Fortran format, then the values ("COSMOS Strong Motion Data
+// Format", version 1.20, 2001).
+#include <fmt/format.h>
+
+#include "records/formats/reading.hpp"
+
+namespace glissade {
+namespace {
+
+constexpr std::size_t cosmos_step_at = 33;  // of the reals, from 0
+
+bool is_cosmos(const RecordText& file) {
+  LineReader lines(file.text);
+  return lines.next() && lower_case(lines.line()).find("(format v01.") != std::string::npos;
+}
+
+/// What stands between two words of a line; "" where they do not.
+std::string between(const std::string& line, std::string_view before, std::string_view after) {
+  const std::size_t at = line.find(before);
+  if (at == std::string::npos) return "";
+  const std::size_t begin = at + before.size();
+  const std::size_t end = line.find(after, begin);
+  return end == std::string::npos ? "" : std::string(trimmed(line.substr(begin, end - begin)));
+}
+
+/// The step in the reals of a channel: "100 Real-header values follow on  17 lines, Format=
+/// (6F13.6)".
+double cosmos_step_s(const RecordText& file, LineReader& lines) {
+  const std::size_t begin = lines.number(), width = field_width(lines.line());
+  std::size_t seen = 0;
+  while (width > 0 && lines.next()) {
+    const auto row = fixed_fields(lines.line(), width);
+    if (row.empty()) break;
+    if (seen + row.size() > cosmos_step_at)
+      return parse_finite(file.path, lines.number(), row[cosmos_step_at - seen], "the step");
+    seen += row.size();
+  }
+  refuse_record(place(file.path, begin), "the header does not state its step, the 34th real",
+                "the file is cut short: get it again");
+}
+
+/// What the lines above a block state.
+struct CosmosChannel {
+  std::string name, station, kind;
+  double dt_s = 0.0;
+  std::size_t step_line = 0;
+};
+
+void read_cosmos_line(const RecordText& file, LineReader& lines, CosmosChannel& channel) {
+  const std::string_view line = lines.line();
+  if (line.find("(Format v01.") != std::string_view::npos) {
+    channel = {};
+    channel.kind = trimmed(line.substr(0, line.find("(Format")));
+  } else if (line.starts_with("Statn No")) {
+    channel.station = trimmed(line);
+  } else if (line.starts_with("Sta Cha")) {
+    channel.name = single_blanks(line.substr(4, line.find('(', 4) - 4));
+  } else if (line.find("Real-header values follow") != std::string_view::npos) {
+    channel.dt_s = cosmos_step_s(file, lines);
+    channel.step_line = lines.number();
+  }
+}
+
+FileComponent cosmos_component(const RecordText& file, LineReader& lines,
+                               const CosmosChannel& channel, const RecordFileOptions& options) {
+  const std::string line(lines.line());
+  const double unit_mps2 =
+      stated_unit(file, between(lower_case(line), "units=", "("), lines.number(), options);
+  const double dt_s =
+      stated_step(channel.step_line == 0 ? file.path.string() : place(file.path, channel.step_line),
+                  shortest_decimal(channel.dt_s), channel.dt_s, options);
+  const std::size_t count =
+      stated_count(file, {"the count of values", line.substr(0, line.find("pts")), lines.number()});
+  FileComponent component = file_component(
+      file, channel.name, dt_s, read_block(file, lines, {count, field_width(line), unit_mps2}));
+  component.direction = trimmed(channel.name.substr(channel.name.find(':') + 1));
+  component.record.source =
+      fmt::format("{}, {}", channel.station, plain_direction(component.direction));
+  if (!channel.kind.starts_with("Corrected"))
+    component.record.notes.push_back("COSMOS, \"" + channel.kind + "\": not corrected");
+  return component;
+}
+
+std::vector<FileComponent> read_cosmos(const RecordText& file, const RecordFileOptions& options) {
+  std::vector<FileComponent> components;
+  CosmosChannel channel;
+  std::string other;
+  for (LineReader lines(file.text); lines.next();) {
+    const std::string lower = lower_case(lines.line().substr(0, 200));
+    if (lower.find("pts, approx") == std::string::npos) {
+      read_cosmos_line(file, lines, channel);
+    } else if (lower.find("accel") != std::string::npos) {
+      components.push_back(cosmos_component(file, lines, channel, options));
+    } else {
+      other = channel.kind;
+    }
+  }
+  if (components.empty())
+    refuse_record(file.path.string(),
+                  other.empty() ? "is a COSMOS file without a block of values"
+                                : "is a COSMOS file of " + in_quotes(other),
+                  "give the file of accelerations, V1 or V2");
+  return components;
+}
+
+}  // namespace
+
+const RecordFormat cosmos_format{"COSMOS V0, V1 or V2", is_cosmos, read_cosmos};
+
+}  // namespace glissade

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// ESM, ITACA and AFAD-TADAS: "KEY: value" lines, then the values ("DYNA 1.2", INGV: Luzi et al.
+// 2016, Seismol. Res. Lett. 87; esm-db.eu, as downloaded 2023).
+#include <fmt/format.h>
+
+#include "records/formats/reading.hpp"
+
+namespace glissade {
+namespace {
+
+bool is_dyna(const RecordText& file) {
+  LineReader lines(file.text);
+  if (!lines.next() || !lines.line().starts_with("EVENT_NAME:")) return false;
+  const HeaderLines header = HeaderLines::with_colons(lines);
+  return header.find("NDATA") != nullptr || header.find("SAMPLING_INTERVAL_S") != nullptr;
+}
+
+void refuse_other_data(const RecordText& file, const HeaderLines& header) {
+  const HeaderLine* type = header.find("DATA_TYPE");
+  if (type == nullptr || lower_case(type->value) == "acceleration") return;
+  refuse_record(place(file.path, type->line),
+                "holds " + in_quotes(lower_case(type->value)) + ", not acceleration",
+                "give the file of accelerations (...ACC.ASC)");
+}
+
+std::vector<FileComponent> read_dyna(const RecordText& file, const RecordFileOptions& options) {
+  LineReader lines(file.text);
+  const HeaderLines header = HeaderLines::with_colons(lines);
+  refuse_other_data(file, header);
+  const HeaderLine& step = header.required(file, "SAMPLING_INTERVAL_S");
+  const HeaderLine& count = header.required(file, "NDATA");
+  const HeaderLine* units = header.find("UNITS");
+  const double unit_mps2 =
+      stated_unit(file, header.value("UNITS"), units == nullptr ? 0 : units->line, options);
+  const double dt_s =
+      stated_step(place(file.path, step.line), step.value, fortran_number(step.value), options);
+  std::vector<double> samples = read_rest(file, lines, unit_mps2);
+  check_stated_count(place(file.path, count.line), stated_count(file, count), samples.size());
+  const std::string stream = header.value("STREAM");
+  FileComponent component = file_component(file, stream, dt_s, std::move(samples));
+  component.record.source = fmt::format("{} {}, {}.{}, {}", header.value("EVENT_DATE_YYYYMMDD"),
+                                        header.value("EVENT_TIME_HHMMSS"), header.value("NETWORK"),
+                                        header.value("STATION_CODE"), plain_direction(stream));
+  return {std::move(component)};
+}
+
+}  // namespace
+
+const RecordFormat dyna_format{"ESM, ITACA or AFAD-TADAS", is_dyna, read_dyna};
+
+}  // namespace glissade

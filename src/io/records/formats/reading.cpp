@@ -1,0 +1,299 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "records/formats/reading.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <charconv>
+#include <cmath>
+
+#include "glissade/motion/improbable.hpp"
+#include "records/record_units.hpp"
+#include "records/time_column.hpp"
+
+namespace glissade {
+namespace {
+
+bool is_digit(char c) { return c >= '0' && c <= '9'; }
+
+/// Where a number that Fortran wrote at the beginning of `text` ends: an exponent has two digits
+/// where more follow it.
+std::size_t end_of_number(std::string_view text) {
+  std::size_t at = 0;
+  const auto skip_digits = [&] {
+    while (at < text.size() && is_digit(text[at])) ++at;
+  };
+  if (at < text.size() && (text[at] == '-' || text[at] == '+')) ++at;
+  skip_digits();
+  if (at < text.size() && text[at] == '.') ++at;
+  skip_digits();
+  if (at >= text.size() || std::string_view("eEdD").find(text[at]) == std::string_view::npos)
+    return at;
+  const std::size_t mantissa = at++;
+  if (at < text.size() && (text[at] == '-' || text[at] == '+')) ++at;
+  const std::size_t exponent = at;
+  skip_digits();
+  return at == exponent ? mantissa : std::min(at, exponent + 2);
+}
+
+}  // namespace
+
+void refuse_record(const std::string& where, const std::string& what,
+                   const std::string& suggestion) {
+  throw InputError({where, what, suggestion, ""});
+}
+
+std::optional<double> fortran_number(std::string_view text) {
+  text = trimmed(text);
+  const std::size_t d = text.find_first_of("dD");
+  if (d == std::string_view::npos || text.size() > 40) return parse_number(text);
+  std::string with_e(text);
+  with_e[d] = 'e';
+  return parse_number(with_e);
+}
+
+std::vector<std::string_view> touching_numbers(std::string_view token) {
+  if (fortran_number(token)) return {token};
+  std::vector<std::string_view> parts;
+  for (std::string_view rest = token; !rest.empty();) {
+    const std::size_t end = end_of_number(rest);
+    const std::string_view part = rest.substr(0, end);
+    if (part.find('.') == part.npos || !fortran_number(part)) return {token};
+    parts.push_back(rest.substr(0, end));
+    rest.remove_prefix(end);
+  }
+  return parts;
+}
+
+std::vector<std::string_view> fixed_fields(std::string_view line, std::size_t width) {
+  std::vector<std::string_view> parts;
+  const std::size_t blank = line.find_last_not_of(" \t\r");
+  line = line.substr(0, blank == std::string_view::npos ? 0 : blank + 1);
+  for (std::size_t at = 0; at < line.size(); at += width)
+    parts.push_back(trimmed(line.substr(at, width)));
+  return parts;
+}
+
+std::size_t field_width(std::string_view line) {
+  const std::size_t open = line.rfind('(');
+  if (open == std::string_view::npos) return 0;
+  std::size_t at = open + 1;
+  while (at < line.size() && is_digit(line[at])) ++at;
+  if (at >= line.size() || std::string_view("eEfFgGiI").find(line[at]) == std::string_view::npos)
+    return 0;
+  std::size_t width = 0;
+  constexpr std::size_t widest = 40;
+  const char* begin = line.data() + at + 1;
+  const auto [end, error] = std::from_chars(begin, line.data() + line.size(), width);
+  return error == std::errc() && end != begin && width <= widest ? width : 0;
+}
+
+double parse_finite(const std::filesystem::path& file, std::size_t line, std::string_view token,
+                    const char* what) {
+  const std::optional<double> value = fortran_number(token);
+  if (!value)
+    refuse_record(place(file, line),
+                  std::string(what) + " " + in_quotes(token) + " is not a number", what_is_read);
+  if (!std::isfinite(*value))
+    refuse_record(place(file, line), std::string(what) + " " + in_quotes(token) + " is not finite",
+                  "repair the record: every sample must be a finite number");
+  return *value;
+}
+
+double parse_sample(const std::filesystem::path& file, std::size_t line, std::string_view token,
+                    double unit_mps2) {
+  const double sample_mps2 = unit_mps2 * parse_finite(file, line, token, "the value");
+  if (!(std::abs(sample_mps2) <= most_acceleration_mps2))
+    refuse_record(place(file, line), "the value " + in_quotes(token) + " is more than 100,000 g",
+                  "repair the record, or correct its units");
+  return sample_mps2;
+}
+
+void add_sample(const std::filesystem::path& file, double sample_mps2,
+                std::vector<double>& samples_mps2) {
+  if (samples_mps2.size() == most_samples)
+    refuse_record(file.string(), fmt::format("has more than {} samples", most_samples),
+                  "give the strong part of the record");
+  samples_mps2.push_back(sample_mps2);
+}
+
+void add_value(const RecordText& file, double value, double unit_mps2,
+               std::vector<double>& samples_mps2) {
+  if (!(std::abs(value * unit_mps2) <= most_acceleration_mps2))
+    refuse_record(file.path.string(),
+                  fmt::format("value {}, {:g}, is not finite, or more than 100,000 g",
+                              samples_mps2.size() + 1, value),
+                  "repair the record, or correct its units");
+  add_sample(file.path, value * unit_mps2, samples_mps2);
+}
+
+std::vector<double> read_block(const RecordText& file, LineReader& lines,
+                               const SampleBlock& block) {
+  std::vector<double> samples;
+  const std::size_t begin = lines.number();
+  while (samples.size() < block.count) {
+    if (!lines.next())
+      refuse_record(
+          place(file.path, begin),
+          fmt::format("states {} values, and the file ends after {}", block.count, samples.size()),
+          "the file is cut short: get it again");
+    const auto add = [&](std::string_view token) {
+      if (samples.size() == block.count)
+        refuse_record(
+            place(file.path, lines.number()),
+            fmt::format("has more than the {} values that line {} states", block.count, begin),
+            "the file is damaged: get it again");
+      add_sample(file.path, parse_sample(file.path, lines.number(), token, block.unit_mps2),
+                 samples);
+    };
+    if (block.width > 0) {
+      for (const std::string_view field : fixed_fields(lines.line(), block.width)) add(field);
+    } else {
+      for (const std::string_view token : fields(lines.line()))
+        for (const std::string_view number : touching_numbers(token)) add(number);
+    }
+  }
+  return samples;
+}
+
+std::vector<double> read_rest(const RecordText& file, LineReader& lines, double unit_mps2) {
+  std::vector<double> samples;
+  while (lines.next()) {
+    for (const std::string_view token : fields(lines.line())) {
+      for (const std::string_view number : touching_numbers(token))
+        add_sample(file.path, parse_sample(file.path, lines.number(), number, unit_mps2), samples);
+    }
+  }
+  return samples;
+}
+
+void check_stated_count(const std::string& where, std::size_t stated, std::size_t found) {
+  if (stated == found) return;
+  refuse_record(where, fmt::format("states {} values, the file contains {}", stated, found),
+                "the file is cut short or its header is wrong: get it again");
+}
+
+HeaderLines HeaderLines::with_colons(LineReader& lines) {
+  HeaderLines header;
+  constexpr std::size_t most_lines = 200;
+  for (LineReader ahead = lines; header.lines_.size() < most_lines && ahead.next();) {
+    const std::size_t colon = ahead.line().find(':');
+    if (colon == std::string_view::npos) break;
+    header.lines_.push_back({std::string(trimmed(ahead.line().substr(0, colon))),
+                             std::string(trimmed(ahead.line().substr(colon + 1))), ahead.number()});
+    lines = ahead;
+  }
+  return header;
+}
+
+HeaderLines HeaderLines::in_columns(LineReader& lines, std::size_t width, std::size_t count) {
+  HeaderLines header;
+  while (header.lines_.size() < count && lines.next()) {
+    const std::string_view line = lines.line();
+    header.lines_.push_back(
+        {std::string(trimmed(line.substr(0, width))),
+         line.size() > width ? std::string(trimmed(line.substr(width))) : std::string(),
+         lines.number()});
+  }
+  return header;
+}
+
+const HeaderLine* HeaderLines::find(std::string_view key) const {
+  const auto found = std::ranges::find(lines_, key, &HeaderLine::key);
+  return found == lines_.end() || found->value.empty() ? nullptr : &*found;
+}
+
+std::string HeaderLines::value(std::string_view key) const {
+  const HeaderLine* found = find(key);
+  return found == nullptr ? "" : found->value;
+}
+
+const HeaderLine& HeaderLines::required(const RecordText& file, std::string_view key) const {
+  const HeaderLine* found = find(key);
+  if (found == nullptr)
+    refuse_record(file.path.string(), "its header does not state " + in_quotes(key),
+                  "the file is cut short or was edited: get it again");
+  return *found;
+}
+
+std::size_t stated_count(const RecordText& file, const HeaderLine& stated) {
+  const auto count = first_number(stated.value);
+  if (!count || count->value < 1.0 || count->value > static_cast<double>(most_samples) ||
+      std::round(count->value) != count->value)
+    refuse_record(
+        place(file.path, stated.line),
+        fmt::format("{} is {}, no number of samples", stated.key, in_quotes(stated.value)),
+        "get the file again");
+  return static_cast<std::size_t>(count->value);
+}
+
+double stated_step(const std::string& where, const std::string& text, std::optional<double> dt_s,
+                   const RecordFileOptions& options) {
+  return agreed_step(where, text, dt_s, options.dt_s);
+}
+
+double stated_unit(const RecordText& file, const std::string& text, std::size_t line,
+                   const RecordFileOptions& options) {
+  return unit_of_record_mps2(file.path, {text, line}, options);
+}
+
+std::optional<FoundNumber> first_number(std::string_view text, std::size_t from) {
+  constexpr std::string_view parts = "0123456789.+-";
+  for (std::size_t at = text.find_first_of(parts, from); at < text.size();
+       at = text.find_first_of(parts, at + 1)) {
+    const std::size_t end = at + end_of_number(text.substr(at));
+    if (const auto value = fortran_number(text.substr(at, end - at)))
+      return FoundNumber{*value, end};
+  }
+  return std::nullopt;
+}
+
+std::string first_word(std::string_view text) {
+  const auto words = fields(text);
+  return words.empty() ? "" : std::string(words.front());
+}
+
+std::string single_blanks(std::string_view text) {
+  std::string plain;
+  for (const std::string_view word : fields(text))
+    plain += (plain.empty() ? "" : " ") + std::string(word);
+  return plain;
+}
+
+void ask_for_unit(const RecordText& file, const char* format, const RecordFileOptions& options) {
+  if (options.units || options.units_if_not_stated) return;
+  refuse_record(file.path.string(), std::string(format) + " files do not state their unit",
+                "give units as g, m/s2 or cm/s2");
+}
+
+std::string plain_direction(std::string_view direction) {
+  const std::string lower = lower_case(trimmed(direction));
+  const auto is_one_of = [&](std::initializer_list<std::string_view> names) {
+    return std::ranges::find(names, lower) != names.end();
+  };
+  if (is_one_of({"n-s", "ns", "n", "hnn", "hln", "bnn", "north"})) return "0";
+  if (is_one_of({"e-w", "ew", "we", "w-e", "e", "hne", "hle", "bne", "east"})) return "90";
+  if (is_one_of({"u-d", "ud", "up", "u", "z", "v", "hnz", "hlz", "bnz", "vertical", "vert"}))
+    return "UP";
+  const auto angle = first_number(lower);
+  const bool north = lower.starts_with('n'), south = lower.starts_with('s'),
+             west = lower.ends_with('w'), east = lower.ends_with('e');
+  if (!angle || !(north || south) || !(east || west))
+    return angle && lower.ends_with("deg") ? shortest_decimal(angle->value)
+                                           : std::string(trimmed(direction));
+  const double a = angle->value;
+  return shortest_decimal(south ? (west ? 180.0 + a : 180.0 - a) : (west ? 360.0 - a : a));
+}
+
+FileComponent file_component(const RecordText& file, std::string name, double dt_s,
+                             std::vector<double> samples_mps2) {
+  FileComponent component;
+  component.name = std::move(name);
+  component.record.name = file.path.string();
+  component.record.dt_s = dt_s;
+  component.record.acceleration_mps2 = std::move(samples_mps2);
+  return component;
+}
+
+}  // namespace glissade

@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "records/formats/record_format.hpp"
+#include "text/scan.hpp"
+
+// What the readers of all formats share. Files are untrusted: nothing is allocated by a number that
+// a header states, and lists grow with what is read.
+namespace glissade {
+
+inline constexpr const char* what_is_read =
+    "give a PEER AT2 file, one column of accelerations, or two columns time and acceleration, with "
+    "# before comments; the other formats that are read are in suites/README.md";
+
+[[noreturn]] void refuse_record(const std::string& where, const std::string& what,
+                                const std::string& suggestion);
+
+/// A number as Fortran, C or a spreadsheet writes it: also 1.5D-03. Blanks around it are dropped.
+std::optional<double> fortran_number(std::string_view text);
+
+/// The numbers of a token whose fields touch, as Fortran writes them ("1.5E+02-2.5E+03",
+/// "1.50E+022.50E+03"); the token itself where it is one number, or none.
+std::vector<std::string_view> touching_numbers(std::string_view token);
+
+/// The fields of `width` characters, without what is blank at the end of the line.
+std::vector<std::string_view> fixed_fields(std::string_view line, std::size_t width);
+
+/// The width of the last Fortran format of a line: 10 of "Format=(8F10.5)"; 0: none.
+std::size_t field_width(std::string_view line);
+
+/// A finite number, or an InputError that names the token.
+double parse_finite(const std::filesystem::path& file, std::size_t line, std::string_view token,
+                    const char* what);
+/// A sample in m/s2.
+double parse_sample(const std::filesystem::path& file, std::size_t line, std::string_view token,
+                    double unit_mps2);
+/// Up to most_samples.
+void add_sample(const std::filesystem::path& file, double sample_mps2,
+                std::vector<double>& samples_mps2);
+
+/// A value of a binary file, by the same rules.
+void add_value(const RecordText& file, double value, double unit_mps2,
+               std::vector<double>& samples_mps2);
+
+/// A block of samples in fixed fields.
+struct SampleBlock {
+  std::size_t count = 0;
+  std::size_t width = 0;  ///< of a field; 0: numbers between blanks, which may touch
+  double unit_mps2 = 1.0;
+};
+/// Reads a block from the lines that follow. InputError where the file ends before it does, or its
+/// last line has more.
+std::vector<double> read_block(const RecordText& file, LineReader& lines, const SampleBlock& block);
+/// All numbers of the lines that follow.
+std::vector<double> read_rest(const RecordText& file, LineReader& lines, double unit_mps2);
+/// InputError unless a file holds as many samples as it states.
+void check_stated_count(const std::string& where, std::size_t stated, std::size_t found);
+
+/// What a header states by one of its keys.
+struct HeaderLine {
+  std::string key, value;
+  std::size_t line = 0;
+};
+class HeaderLines {
+ public:
+  /// "KEY: value" lines, up to the first line without a colon.
+  static HeaderLines with_colons(LineReader& lines);
+  /// Keys in the first `width` columns; so many lines.
+  static HeaderLines in_columns(LineReader& lines, std::size_t width, std::size_t count);
+  /// nullptr: absent, or without a value.
+  const HeaderLine* find(std::string_view key) const;
+  std::string value(std::string_view key) const;  ///< "": absent
+  /// InputError where the key is absent.
+  const HeaderLine& required(const RecordText& file, std::string_view key) const;
+
+ private:
+  std::vector<HeaderLine> lines_;
+};
+
+/// A whole number from 1 to most_samples.
+std::size_t stated_count(const RecordText& file, const HeaderLine& stated);
+/// The step a header states, which `options` may mend, where it was printed with too few digits, by
+/// 2 %.
+double stated_step(const std::string& where, const std::string& text, std::optional<double> dt_s,
+                   const RecordFileOptions& options);
+/// m/s2 of the unit a header states; the options must agree.
+double stated_unit(const RecordText& file, const std::string& text, std::size_t line,
+                   const RecordFileOptions& options);
+
+/// The first number in a text, and where the text goes on after it.
+struct FoundNumber {
+  double value;
+  std::size_t end;
+};
+std::optional<FoundNumber> first_number(std::string_view text, std::size_t from = 0);
+
+/// "" where there is none.
+std::string first_word(std::string_view text);
+
+/// The words of a text with one blank between them.
+std::string single_blanks(std::string_view text);
+
+/// InputError where no option states the unit of a format that has none.
+void ask_for_unit(const RecordText& file, const char* format, const RecordFileOptions& options);
+
+/// "0" of "N-S", "280" of "N80W", "90" of "90 Deg" and "HNE", "UP" of "Up" and "U-D"; others as
+/// they are. For comparing the components of a record.
+std::string plain_direction(std::string_view direction);
+
+FileComponent file_component(const RecordText& file, std::string name, double dt_s,
+                             std::vector<double> samples_mps2);
+
+}  // namespace glissade

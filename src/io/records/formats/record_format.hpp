@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "glissade/io/record_file.hpp"
+
+namespace glissade {
+
+/// A record file in memory.
+struct RecordText {
+  std::filesystem::path path;
+  std::string text;  ///< in UTF-8, also of a file in UTF-16; the bytes of a binary file
+};
+
+/// One component of a file; `floor.csv#U1` addresses it by a name, `floor.csv#1` by its position.
+struct FileComponent {
+  std::string name;       ///< "U1", "Chan 1: 360 Deg"; empty: the file does not name it
+  std::string direction;  ///< another name of it: "360 Deg"; may be empty
+  Record record;          ///< of a table, without samples where another column is asked for
+};
+
+/// A kind of file. A reader throws InputError for what is wrong with a file of its kind.
+struct RecordFormat {
+  const char* name;
+  bool (*matches)(const RecordText& file);  ///< by content, never by the file's name
+  std::vector<FileComponent> (*read)(const RecordText& file, const RecordFileOptions& options);
+  bool is_binary = false;  ///< its files are no text
+};
+
+// One source file each in this folder.
+extern const RecordFormat sac_format, miniseed_format, foreign_format, nied_format, dyna_format,
+    esd_format, afad_format, cosmos_format, csmip_format, smc_format, usc_format, bhrc_format,
+    geonet_format, cwb_format, at2_format, headed_column_format, table_format, column_format;
+
+/// The first that matches reads a file; the last matches any text.
+std::span<const RecordFormat* const> record_formats();
+
+/// The component that is asked for, by its position or one of its names; with no `wanted` the only
+/// one. InputError with the list of those there are.
+std::size_t picked_component(const std::filesystem::path& file,
+                             const std::vector<FileComponent>& components,
+                             const std::string& wanted);
+
+}  // namespace glissade

@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Uncorrected accelerograms in g/10 as the California Institute of Technology published them
+// (Hudson, Brady & Trifunac 1969-75, EERL, "Strong-Motion Earthquake Accelerograms", Volume I):
+// - USC: text lines, integers, reals, then pairs of time and acceleration in 10F7.3, mostly uneven,
+//   as films were digitised;
+// - BHRC of Iran: "* VOL1DS FILE" and the same header per component, then accelerations in 10E13.6
+//   (smd.bhrc.ac.ir, as downloaded 2012).
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "records/formats/reading.hpp"
+#include "records/time_column.hpp"
+
+namespace glissade {
+namespace {
+
+constexpr std::size_t volume_one_header_lines = 14;  // integers and reals
+
+bool is_usc(const RecordText& file) {
+  LineReader lines(file.text);
+  return lines.next() &&
+         lines.line().find("UNCORRECTED ACCELEROGRAM DATA OF VOLUME I") != std::string_view::npos;
+}
+bool is_bhrc(const RecordText& file) {
+  LineReader lines(file.text);
+  return lines.next() && trimmed(lines.line()).starts_with("* VOL1DS FILE");
+}
+
+/// The text lines of a component, to the one with its units; the lines go on behind integers and
+/// reals.
+struct VolumeOneHeader {
+  std::string name, station, unit;
+  std::size_t points = 0, unit_line = 0, points_line = 0;
+  double duration_s = 0.0;
+};
+
+void read_points(const RecordText& file, const LineReader& lines, VolumeOneHeader& header) {
+  const std::string line(lines.line());
+  const std::size_t duration = line.find("DURATION");
+  header.points_line = lines.number();
+  header.points = stated_count(
+      file, {"NO. OF POINTS", line.substr(0, duration).substr(13), header.points_line});
+  const auto found = duration == std::string::npos ? std::nullopt : first_number(line, duration);
+  header.duration_s = found ? found->value : 0.0;
+}
+
+std::optional<VolumeOneHeader> volume_one_header(const RecordText& file, LineReader& lines) {
+  VolumeOneHeader header;
+  while (lines.next()) {
+    const std::string_view line = trimmed(lines.line());
+    if (line.starts_with("COMP")) {
+      header.name = std::string(trimmed(line.substr(4, 12)));
+    } else if (line.starts_with("NO. OF POINTS")) {
+      read_points(file, lines, header);
+    } else if (line.find("STATION") != std::string_view::npos ||
+               line.find("Station") != std::string_view::npos) {
+      header.station = std::string(trimmed(line.substr(0, 40)));
+    } else if (line.starts_with("UNITS ARE SEC") && line.find("AND") != std::string_view::npos) {
+      header.unit = first_word(line.substr(line.find("AND") + 3));
+      header.unit_line = lines.number();
+      lines.next();  // blank, or the RMS
+      for (std::size_t i = 0; i < volume_one_header_lines && lines.next(); ++i) continue;
+      if (header.points == 0) break;
+      return header;
+    }
+  }
+  if (header.name.empty()) return std::nullopt;
+  refuse_record(file.path.string(), "has a component without NO. OF POINTS and units",
+                "the file is cut short: get it again");
+}
+
+FileComponent volume_one_component(const RecordText& file, const VolumeOneHeader& header,
+                                   double dt_s, std::vector<double> samples) {
+  FileComponent component = file_component(file, header.name, dt_s, std::move(samples));
+  component.record.source = fmt::format("{}, {}", header.station, plain_direction(header.name));
+  component.record.notes.emplace_back("uncorrected accelerogram (Volume I)");
+  return component;
+}
+
+/// Pairs of time and acceleration; a blank may stand before them (1X, 10F7.3).
+std::vector<FileComponent> read_usc(const RecordText& file, const RecordFileOptions& options) {
+  constexpr std::size_t width = 7;
+  LineReader lines(file.text);
+  const auto header = volume_one_header(file, lines);
+  if (!header)
+    refuse_record(file.path.string(), "has no component", "the file is cut short: get it again");
+  const double unit_mps2 = stated_unit(file, header->unit, header->unit_line, options);
+  TimeColumn time;
+  std::vector<double> samples;
+  while (lines.next() && !lines.line().starts_with("FILE")) {
+    const std::string_view line = lines.line();
+    const auto row = fixed_fields(line.size() % width == 1 ? line.substr(1) : line, width);
+    for (std::size_t i = 0; i + 1 < row.size(); i += 2) {
+      time.add(parse_finite(file.path, lines.number(), row[i], "the time"), row[i], lines.number());
+      add_sample(file.path, parse_sample(file.path, lines.number(), row[i + 1], unit_mps2),
+                 samples);
+    }
+  }
+  check_stated_count(place(file.path, header->points_line), header->points, samples.size());
+  const double dt_s = step_of(file.path, time, options.dt_s);
+  return {volume_one_component(file, *header, dt_s, std::move(samples))};
+}
+
+std::vector<FileComponent> read_bhrc(const RecordText& file, const RecordFileOptions& options) {
+  constexpr std::size_t width = 13;
+  std::vector<FileComponent> components;
+  LineReader lines(file.text);
+  while (const auto header = volume_one_header(file, lines)) {
+    const double unit_mps2 = stated_unit(file, header->unit, header->unit_line, options);
+    // Of the duration, to the digits it is printed with.
+    const double mean_s = header->duration_s / static_cast<double>(header->points);
+    const double dt_s = stated_step(place(file.path, header->points_line), shortest_decimal(mean_s),
+                                    std::round(mean_s * 1e6) * 1e-6, options);
+    components.push_back(volume_one_component(
+        file, *header, dt_s, read_block(file, lines, {header->points, width, unit_mps2})));
+  }
+  if (components.empty())
+    refuse_record(file.path.string(), "has no component", "the file is cut short: get it again");
+  return components;
+}
+
+}  // namespace
+
+const RecordFormat usc_format{"USC or CDMG Volume I", is_usc, read_usc};
+const RecordFormat bhrc_format{"BHRC of Iran", is_bhrc, read_bhrc};
+
+}  // namespace glissade

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace glissade {
+
+/// By its byte order mark.
+bool is_utf16(std::string_view bytes);
+
+/// In UTF-8, without the mark. What is no character becomes U+FFFD.
+std::string from_utf16(std::string_view bytes);
+
+}  // namespace glissade

@@ -1,0 +1,277 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+
+#include "glissade/core/file.hpp"
+#include "glissade/core/units.hpp"
+#include "glissade/io/record_file.hpp"
+#include "problems.hpp"
+#include "temporary_folder.hpp"
+
+namespace glissade {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+const fs::path corpus = fs::path(GLISSADE_SOURCE_DIR) / "tests/fuzz/corpus/record";
+
+/// What every file of the corpus that is named here holds at 0.01 s, as it was written by hand; its
+/// other components are minus or half of it. The mean is zero.
+const std::vector<double> made_up_mps2 = {0, 0.5, -1, 0.25, 2, -0.5, -0.75, -0.5};
+
+struct Sample {
+  const char *file, *component;
+  double factor = 1.0;
+  RecordFileOptions options = {};
+};
+const RecordFileOptions in_mps2{.dt_s = {}, .units = AccelerationUnits::mps2};
+const RecordFileOptions in_cmps2{.dt_s = {}, .units = AccelerationUnits::cmps2};
+const RecordFileOptions column_in_mps2{.dt_s = 0.01, .units = AccelerationUnits::mps2};
+const RecordFileOptions in_counts{.dt_s = {},
+                                  .units = AccelerationUnits::mps2,
+                                  .units_if_not_stated = {},
+                                  .component = {},
+                                  .counts_per_unit = 1000.0};
+
+const std::vector<Sample> samples = {
+    {"at2_d_exponents.at2", ""},
+    {"at2_touching.at2", ""},
+    {"knet.txt", ""},
+    {"knet.txt", "E-W"},
+    {"kiknet_borehole.txt", "N-S borehole"},
+    {"kiknet_surface.txt", ""},
+    {"esm.asc", ""},
+    {"esd.acc", ""},
+    {"afad.txt", "N-S"},
+    {"afad.txt", "2", -1},
+    {"afad.txt", "u-d", 0.5},
+    {"cosmos.v2", "1"},
+    {"cosmos.v2", "90 deg", -1},
+    {"csmip.v2", "Chan 1: 360 Deg"},
+    {"csmip.v2", "Up", 0.5},
+    {"smc.smc", ""},
+    {"smc_unknown.smc", "", 1, in_cmps2},
+    {"usc.dat", ""},
+    {"bhrc.v1", "L1"},
+    {"bhrc.v1", "V1", 0.5},
+    {"geonet.v1a", "N10E"},
+    {"geonet.v1a", "Up", 0.5},
+    {"cwb.dat", "U", 0.5},
+    {"cwb.dat", "N"},
+    {"sac_little.sac", "", 1, in_mps2},
+    {"sac_big.sac", "HNE", 1, in_mps2},
+    {"bbp.txt", "N-S"},
+    {"bbp.txt", "U-D", 0.5},
+    {"opensees.out", "2", -1, in_mps2},
+    {"seismosignal.txt", ""},
+    {"eqsig.txt", "", 1, in_mps2},
+    {"count_and_step.txt", "", 1, in_mps2},
+    {"etabs.csv", "Accel"},
+    {"sap.txt", "U3", 0.5},
+    {"semicolon_decimal_comma.csv", "", 1, in_mps2},
+    {"bom_crlf_ms.csv", "U1"},
+    {"bom_crlf_ms.csv", "a [m/s^2]", -1},
+    {"utf16.csv", "2", -1},
+    {"decimal_comma_column.txt", "", 1, column_in_mps2},
+};
+
+Record read_sample(const Sample& sample) {
+  RecordFileOptions options = sample.options;
+  options.component = sample.component;
+  return read_record(corpus / sample.file, options);
+}
+
+void expect_made_up(const Sample& sample, const Record& record) {
+  const std::string name = std::string(sample.file) + "#" + sample.component;
+  EXPECT_NEAR(record.dt_s, 0.01, 1e-15) << name;
+  ASSERT_EQ(record.acceleration_mps2.size(), made_up_mps2.size()) << name;
+  for (std::size_t i = 0; i < made_up_mps2.size(); ++i)  // as they print: g/10 with three decimals
+    EXPECT_NEAR(record.acceleration_mps2[i], sample.factor * made_up_mps2[i], 5e-4) << name;
+}
+
+TEST(record_formats, each_gives_the_samples_that_its_file_was_written_from) {
+  for (const Sample& sample : samples) {
+    try {
+      expect_made_up(sample, read_sample(sample));
+    } catch (const InputError& error) {
+      ADD_FAILURE() << sample.file << "#" << sample.component << ": " << error.what();
+    }
+  }
+}
+
+TEST(record_formats, miniseed_is_read_with_a_stated_gain) {
+  const std::string message = message_of([] { read_record(corpus / "miniseed.mseed"); });
+  if (message.find("libmseed") != std::string::npos) GTEST_SKIP() << message;
+  EXPECT_THAT(message, test::states("counts", "counts_per_unit"));
+  expect_made_up({"miniseed.mseed", "HNE"}, read_sample({"miniseed.mseed", "HNE", 1, in_counts}));
+}
+
+TEST(record_formats, what_is_missing_or_other_is_named) {
+  const auto read = [](const std::string& name) { read_record(corpus / name); };
+  expect_refusals(read,
+                  {{"afad.txt", "afad.txt", {"#1 (N-S)", "#2 (E-W)", "#3 (U-D)"}},
+                   {"opensees.out", "opensees.out", {"#1", "#3", "name one"}},
+                   {"sac_little.sac", "sac_little.sac", {"SAC", "give units"}},
+                   {"eqsig.txt", "eqsig.txt", {"units"}},
+                   {"semicolon_decimal_comma.csv", "semicolon_decimal_comma.csv", {"units"}},
+                   {"smc_unknown.smc", "smc_unknown.smc:1", {"UNKNOWN", "units"}},
+                   {"smc_velocity.smc", "smc_velocity.smc:1", {"velocity"}},
+                   {"csmip_spectra.v3", "csmip_spectra.v3", {"V3", "V2"}},
+                   {"station.xml", "station.xml", {"StationXML"}},
+                   {"usc_uneven.dat", "usc_uneven.dat:28", {"0.02 to 0.033"}},
+                   {"uneven_heading.csv", "uneven_heading.csv:4", {"0.01 to 0.03"}},
+                   {"five_in_a_line.txt", "five_in_a_line.txt:1", {"5 columns", "NPTS="}},
+                   {"sap_two_joints.txt", "sap_two_joints.txt:11", {"'Joint'", "'12'", "'13'"}}});
+}
+
+TEST(record_formats, units_and_steps_that_contradict_the_header_are_refused) {
+  for (const char* file : {"knet.txt", "esm.asc", "bbp.txt#1", "smc.smc", "etabs.csv"}) {
+    const auto [name, component] = split_address(file);
+    RecordFileOptions options = in_mps2;
+    options.component = component;
+    EXPECT_THAT(message_of([&] { read_record(corpus / name, options); }), HasSubstr("units says"))
+        << file;
+  }
+  for (const char* file : {"knet.txt", "esm.asc", "esd.acc", "smc.smc", "etabs.csv"}) {
+    EXPECT_THAT(message_of([&] { read_record(corpus / file, {.dt_s = 0.02, .units = {}}); }),
+                HasSubstr("dt_s"))
+        << file;
+  }
+}
+
+TEST(record_formats, what_reading_changes_is_in_the_notes) {
+  EXPECT_THAT(read_sample({"knet.txt", ""}).notes, ElementsAre(test::states("K-NET", "mean")));
+  EXPECT_THAT(read_sample({"kiknet_borehole.txt", ""}).notes, ElementsAre(HasSubstr("borehole")));
+  EXPECT_THAT(read_sample({"kiknet_surface.txt", ""}).notes, ElementsAre(HasSubstr("surface")));
+  EXPECT_THAT(read_sample({"esm.asc", ""}).notes, IsEmpty());
+  EXPECT_THAT(read_sample({"count_and_step.txt", "", 1, in_mps2}).notes,
+              ElementsAre(HasSubstr("count")));
+  const Record rounded = read_sample({"step_rounded.txt", "", 1, in_mps2});
+  EXPECT_EQ(rounded.dt_s, 1.0 / 256);
+  EXPECT_THAT(rounded.notes, ElementsAre(test::states("0.00390625", "0.0039")));
+}
+
+TEST(record_formats, components_of_surface_and_borehole_are_of_two_stations) {
+  const TimedRecord surface{read_sample({"kiknet_surface.txt", ""}), 0.0},
+      borehole{read_sample({"kiknet_borehole.txt", ""}), 0.0};
+  EXPECT_THAT(source_contradictions(surface, borehole, {}), ElementsAre(HasSubstr("two stations")));
+  const TimedRecord north{read_sample({"afad.txt", "N-S"}), 0.0},
+      east{read_sample({"afad.txt", "E-W"}), 0.0}, up{read_sample({"afad.txt", "U-D"}), 0.0};
+  EXPECT_THAT(source_contradictions(north, east, up), IsEmpty());
+  EXPECT_THAT(source_contradictions(north, up, east), testing::SizeIs(2));
+}
+
+TEST(record_formats, a_component_that_is_not_there_is_named_with_those_that_are) {
+  for (const char* wanted : {"0", "4", "N", "360"}) {
+    EXPECT_THAT(message_of([&] {
+                  read_sample({"afad.txt", wanted});
+                }),
+                test::states("'" + std::string(wanted) + "'", "#3 (U-D)"));
+  }
+  EXPECT_THAT(message_of([] { read_sample({"esm.asc", "2"}); }), HasSubstr("#1 (HNE)"));
+}
+
+TEST(record_formats, an_address_is_a_file_and_a_component_unless_it_is_a_file) {
+  const TemporaryFolder folder;
+  const std::string file = folder.write("a#b.csv", "time_s,acc_g\n0,0.1\n0.01,0.2\n").string();
+  EXPECT_EQ(split_address(file).component, "");
+  EXPECT_EQ(split_address(file + "#acc").component, "acc");
+  EXPECT_EQ(split_address(file + "#acc").file, file);
+  EXPECT_EQ(split_address("floor.csv#U1").file, "floor.csv");
+  EXPECT_EQ(split_address("floor.csv").component, "");
+}
+
+// Files are untrusted: whatever they were cut to, they are read or refused.
+TEST(record_formats, a_file_cut_anywhere_is_refused_or_read) {
+  const TemporaryFolder folder;
+  for (const auto& entry : fs::directory_iterator(corpus)) {
+    const std::string whole = read_text_file(entry.path());
+    const std::size_t step = std::max<std::size_t>(1, whole.size() / 60);
+    for (std::size_t length = 0; length < whole.size(); length += step) {
+      const fs::path cut = folder.write("cut", whole.substr(0, length));
+      for (const RecordFileOptions& options : {in_counts, column_in_mps2}) {
+        try {
+          EXPECT_FALSE(read_record(cut, options).acceleration_mps2.empty());
+        } catch (const InputError& error) {
+          EXPECT_THAT(error.problems().front().where, HasSubstr("cut")) << entry.path();
+        }
+      }
+    }
+  }
+}
+
+TEST(record_formats, a_file_without_its_last_value_is_refused_where_its_header_states_how_many) {
+  const TemporaryFolder folder;
+  for (const char* name :
+       {"at2_touching.at2", "knet.txt", "kiknet_surface.txt", "esm.asc", "esd.acc", "afad.txt",
+        "smc.smc", "usc.dat", "bhrc.v1", "geonet.v1a", "cwb.dat", "eqsig.txt", "sac_little.sac"}) {
+    const std::string whole = read_text_file(corpus / name);
+    const bool is_binary = std::string_view(name).ends_with(".sac");
+    const std::size_t end = is_binary ? whole.size() - 4 : whole.find_last_of("0123456789");
+    const std::size_t token = is_binary ? end : whole.find_last_of(" \n", end);
+    const fs::path cut = folder.write("cut", whole.substr(0, token));
+    RecordFileOptions options = in_mps2;
+    options.component = "1";
+    if (message_of([&] { read_record(cut, options); }).find("units says") != std::string::npos)
+      options.units.reset();
+    EXPECT_THAT(message_of([&] { read_record(cut, options); }),
+                testing::ContainsRegex("contain|ends after|columns|stated"))
+        << name;
+  }
+}
+
+TEST(record_formats, lines_may_end_with_a_carriage_return_and_headings_may_say_nothing) {
+  const TemporaryFolder folder;
+  EXPECT_EQ(read_record(folder.write("a", "time_s,acc_g\r0,1\r0.01,2\r")).dt_s, 0.01);
+  EXPECT_EQ(read_record(folder.write("a", "points 3\nstep 0.01 s\n1\n2\n3\n"), column_in_mps2)
+                .acceleration_mps2.size(),
+            3u);
+}
+
+struct Heading {
+  const char* text;
+  double mps2;  ///< of 1
+};
+// As programs and people write them.
+TEST(record_formats, headings_state_their_units_in_many_forms) {
+  const TemporaryFolder folder;
+  const double g = standard_gravity_mps2;
+  for (const auto& [text, mps2] : std::vector<Heading>{{"Time (s),Accel (g)", g},
+                                                       {"Time (sec)\tAcceleration (g's)", g},
+                                                       {"t [s];a [m/s^2]", 1},
+                                                       {"time_s,acc_gal", 0.01},
+                                                       {"Time sec,U1 m/sec2", 1},
+                                                       {"TIME,ACC in cm/s/s", 0.01},
+                                                       {"Time\tAccel\nsec\tin/sec2", 0.0254},
+                                                       {"time(s)  acc(mm/s**2)", 0.001},
+                                                       {"Time [s],Acceleration [m/s\xc2\xb2]", 1},
+                                                       {"Time [s],Acceleration [m/s\xb2]", 1},
+                                                       {"Time (s),Sensor #1 (g)", g},
+                                                       {"Time (s),Accel (ft/s^2)", 0.3048}}) {
+    const std::string heading = text;
+    const char separator = heading.find(';') != std::string::npos    ? ';'
+                           : heading.find('\t') != std::string::npos ? '\t'
+                           : heading.find(',') != std::string::npos  ? ','
+                                                                     : ' ';
+    const fs::path file = folder.write("table", fmt::format("{}\n0.00{}1\n0.02{}-1\n0.04{}0\n",
+                                                            text, separator, separator, separator));
+    try {
+      const Record record = read_record(file);
+      EXPECT_EQ(record.dt_s, 0.02) << text;
+      EXPECT_NEAR(record.acceleration_mps2[0], mps2, 1e-12) << text;
+    } catch (const InputError& error) {
+      ADD_FAILURE() << text << ": " << error.what();
+    }
+  }
+  expect_refusals([&](const std::string& text) { read_record(folder.write("table", text)); },
+                  {{"Time (s),V (cm/s)\n0,1\n1,2\n2,3\n", "table:2", {"no column", "'V (cm/s)'"}},
+                   {"Time (s),a (furlong)\n0,1\n1,2\n2,3\n", "table:1", {"furlong"}},
+                   {"a (g),b (g)\n0,1\n1,2\n2,3\n", "table", {"#1 (a)", "#2 (b)"}},
+                   {"Time (s),a (g)\n0,1\n1,2\n2\n", "table:4", {"1 columns", "2"}}});
+}
+
+}  // namespace
+}  // namespace glissade
