@@ -3,8 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <ranges>
-
 #include "analysis/analyses.hpp"
 #include "analysis/chart/view.hpp"
 #include "analysis/fragility/assumptions.hpp"
@@ -17,18 +15,33 @@
 namespace glissade {
 namespace {
 
-/// The first sentences of the first analysis and the first one of each other; the rest is in their
-/// sections.
-Html answer_html(const Results& results) {
+/// The first sentences of the first analysis and the first one of each other; the rest follows the
+/// figures.
+struct Answers {
+  std::vector<std::string> first, rest;
+};
+
+Answers answers_of(const Results& results) {
   constexpr std::size_t most = 6, of_first = 4;
-  std::vector<std::string> answers;
+  Answers answers;
   for (const AnalysisReport& analysis : analyses_in(results)) {
     if (analysis.sentences == nullptr) continue;
-    const std::size_t here = answers.empty() ? of_first : 1;
-    for (std::string& sentence : analysis.sentences(results) | std::views::take(here))
-      if (answers.size() < most) answers.push_back(std::move(sentence));
+    const std::size_t here = answers.first.empty() ? of_first : 1;
+    std::size_t taken = 0;
+    for (std::string& sentence : analysis.sentences(results)) {
+      const bool is_first = taken++ < here && answers.first.size() < most;
+      (is_first ? answers.first : answers.rest).push_back(std::move(sentence));
+    }
   }
-  return "<div class=\"answer\">\n" + list(answers) + "</div>\n";
+  return answers;
+}
+
+Html answer_html(const Answers& answers) {
+  return "<div class=\"answer\">\n" + list(answers.first) + "</div>\n";
+}
+
+Html rest_html(const Answers& answers) {
+  return answers.rest.empty() ? Html() : heading("Results in words") + list(answers.rest);
 }
 
 Html analyses_html(const Results& results) {
@@ -102,12 +115,13 @@ Html inputs_html(const Results& results) {
 
 std::string html_report(const Results& results, const std::vector<DrawnFigure>& figures,
                         const std::vector<Skip>& skips) {
+  const Answers answers = answers_of(results);
   const Html page =
       page_head({results.study_name, "sliding of an unanchored solar array"}) +
       (results.study_description.empty() ? Html() : paragraph(results.study_description)) +
-      warnings_html(results) + answer_html(results) + paragraph(what_was_run(results)) +
-      figures_html(figures) + analyses_html(results) + assumptions_html(results) +
-      skips_and_notes_html(results, skips) + inputs_html(results) +
+      warnings_html(results) + answer_html(answers) + paragraph(what_was_run(results)) +
+      figures_html(figures) + rest_html(answers) + analyses_html(results) +
+      assumptions_html(results) + skips_and_notes_html(results, skips) + inputs_html(results) +
       paragraph(fmt::format(
           "Made by glissade {}; plan {}, seed {}. The same study, suite and seed give the same "
           "numbers. Tables with all digits are in tables/, figures as PDF and SVG in figures/.",
