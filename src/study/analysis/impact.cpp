@@ -17,6 +17,13 @@ namespace {
 /// With fewer records that reach it the scatter between records is not estimated.
 constexpr std::ptrdiff_t fewest_records = 3;
 
+/// Whether a history did not converge, so that it counts as beyond every threshold.
+bool is_unknown(const HistoryTable& all, std::size_t history) {
+  const auto& failed = all.fields.failed;
+  return !failed.empty() && failed[history] != 0 &&
+         std::isinf(all.fields.peak_displacement_m[history]);
+}
+
 /// The crossings of one threshold at one level that happen, by record. Of a history that did not
 /// converge the speed is unknown, and counted as above every other, and the time is left out.
 struct Happened {
@@ -29,9 +36,7 @@ struct Happened {
         const std::size_t history = all.at(record, cases.first + i, level),
                           at = history * all.thresholds + threshold;
         if (std::isnan(all.fields.crossing_time_s[at])) {
-          if (all.fields.failed[history] != 0 &&
-              std::isinf(all.fields.peak_displacement_m[history]))
-            speed_mps[record].push_back(infinity);
+          if (is_unknown(all, history)) speed_mps[record].push_back(infinity);
           continue;
         }
         time_s[record].push_back(all.fields.crossing_time_s[at]);

@@ -107,6 +107,19 @@ TEST(impact, where_nothing_gets_there_there_are_no_numbers) {
     EXPECT_TRUE(std::isnan(value));
 }
 
+TEST(impact, of_a_history_that_did_not_converge_is_reached_at_an_unknown_speed) {
+  Study study(4, 1);
+  for (std::size_t record = 0; record < 3; ++record) study.set(record, 0, 0, 0, 5.0, 0.1);
+  study.histories.fields.failed.assign(4, 0);
+  study.histories.fields.peak_displacement_m.assign(4, 0.4);
+  study.histories.fields.failed[3] = 1;
+  study.histories.fields.peak_displacement_m[3] = std::numeric_limits<double>::infinity();
+  const ImpactStatistics s = study.statistics().front();
+  EXPECT_EQ(s.reached_share.value, 1.0);
+  EXPECT_TRUE(std::isinf(s.speed_largest_mps));
+  EXPECT_EQ(s.time_p84_s, 5.0);
+}
+
 TEST(impact, two_records_that_get_there_make_no_interval_and_three_do) {
   Study study(6, 4);
   for (std::size_t sample = 0; sample < 4; ++sample) {
