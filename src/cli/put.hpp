@@ -21,9 +21,11 @@ void put(fmt::format_string<Values...> text, Values&&... values) {
   put_text(fmt::format(text, std::forward<Values>(values)...));
 }
 
-/// One JSON object, also with names that are not UTF-8.
-inline void put_json(const nlohmann::ordered_json& json) {
-  put_text(json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n");
+/// As it is printed or stands in a file; bytes that are not UTF-8, of a path, become U+FFFD.
+inline std::string json_text(const nlohmann::ordered_json& json) {
+  return json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
 }
+
+inline void put_json(const nlohmann::ordered_json& json) { put_text(json_text(json)); }
 
 }  // namespace glissade::cli

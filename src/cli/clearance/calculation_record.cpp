@@ -7,6 +7,7 @@
 
 #include "glissade/core/error.hpp"
 #include "glissade/core/file.hpp"
+#include "put.hpp"
 #include "run/run_record.hpp"
 
 namespace glissade::cli {

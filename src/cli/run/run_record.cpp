@@ -11,6 +11,7 @@
 
 #include "glissade/core/error.hpp"
 #include "glissade/core/file.hpp"
+#include "put.hpp"
 
 namespace glissade::cli {
 
@@ -42,10 +43,6 @@ void add_phases(Json& json, const PhaseClock& clock) {
 }
 
 }  // namespace
-
-std::string json_text(const Json& json) {
-  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
-}
 
 Json read_run_json(const std::filesystem::path& run_json_file) {
   constexpr std::uintmax_t most_bytes = 1u << 20;

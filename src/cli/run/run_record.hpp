@@ -29,9 +29,6 @@ class PhaseClock {
 /// "2026-01-31T12:00:00Z".
 std::string now_utc();
 
-/// As it stands in a file; bytes that are not UTF-8, of a path, become U+FFFD.
-std::string json_text(const nlohmann::ordered_json& json);
-
 /// A run.json, an object; null where it is not there, is no regular file, or not JSON as a run
 /// writes it (larger, or nested deeper).
 nlohmann::ordered_json read_run_json(const std::filesystem::path& run_json_file);

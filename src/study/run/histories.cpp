@@ -268,13 +268,8 @@ std::unique_ptr<Histories> histories_of(const Plan& plan, RoofStore& roofs, std:
                     roof.factor_at_unit_level,
                     RoofPeaks(roof),
                     roofs.skipping() == Skipping::all};
-  switch (plan.kernel.kernel) {
-    case Kernel::tables:
-      return std::make_unique<TableHistories>(scene, roof, roofs.curve(case_number), remake);
-    case Kernel::coupled:
-    case Kernel::full:
-      break;
-  }
+  if (plan.kernel.kernel == Kernel::tables)
+    return std::make_unique<TableHistories>(scene, roof, roofs.curve(case_number), remake);
   return std::make_unique<CoupledHistories>(scene, roofs, batch);
 }
 
