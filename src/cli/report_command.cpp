@@ -10,6 +10,7 @@
 #include "glissade/io/results_file.hpp"
 #include "glissade/io/study_file.hpp"
 #include "glissade/report/summary.hpp"
+#include "glissade/report/tables.hpp"
 #include "glissade/report/write_report.hpp"
 #include "glissade/study/run/reduce.hpp"
 #include "output_rule.hpp"
@@ -34,7 +35,7 @@ struct ReportOptions {
 /// The report; its summary. What is there goes once the results are read and analysed.
 std::string report_again(const ReportOptions& o) {
   const fs::path file(o.results), out = o.folder();
-  Results results = read_results(file);
+  Results results = o.study.empty() ? read_results(file) : read_histories(file);
   std::vector<Skip> skips = skips_in(file.parent_path() / "run.json");
   if (!o.study.empty()) {
     const StudyConfig study = read_study_again(o.study, results.study_text);
@@ -42,7 +43,7 @@ std::string report_again(const ReportOptions& o) {
     analyse_again(study, results);
   }
   const auto taken = take_folder(out);
-  if (!o.study.empty()) write_results(out / "results.h5", results);
+  if (!o.study.empty()) write_results(out / "results.h5", results, data_tables(results));
   write_report(results, out, skips, o.overwrite);
   const fs::path run_json = out / "run.json";
   if (is_unreported(run_json) && plan_hash_in(run_json) == results.plan_hash &&

@@ -90,8 +90,8 @@ Json to_json(const Provision& p) {
 }
 
 /// In metres and inches.
-const Column metres{"length", "m", "m", ColumnKind::number, false, 3},
-    inches{"length", "in", "in", ColumnKind::number, false, 1};
+const Column metres{"length", "m", "m", ColumnKind::number, "", false, 3},
+    inches{"length", "in", "in", ColumnKind::number, "", false, 1};
 
 /// Equal values differ in their last bit: the half is rounded up for all.
 double in_inches(double length_m) { return length_m / inch_m * (1.0 + 1e-12); }

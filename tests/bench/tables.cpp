@@ -131,8 +131,8 @@ Table fragility_table(const FragilityError& m) {
                {"histories_time", "s", "Histories, s"},
                {"fit_time", "s", "Fit, s"},
                {"fitted", "", "Fitted", ColumnKind::count},
-               {"median_rms_error", "", "Error of median", ColumnKind::number, true},
-               {"log_std_rms_error", "", "Error of log_std", ColumnKind::number, true}},
+               {"median_rms_error", "", "Error of median", ColumnKind::number, "", true},
+               {"log_std_rms_error", "", "Error of log_std", ColumnKind::number, "", true}},
               {}};
   const auto cell = [](const RmsError& e) { return SignedEstimate({e.rms, {e.low, e.high}}); };
   for (const FragilityErrorRow& row : m.rows) {

@@ -9,8 +9,8 @@
 #include "check.hpp"
 #include "results_edit.hpp"
 #include "unit/io/renew_checksum.hpp"
+#include "unit/io/run_results.hpp"
 #include "unit/io/whole_report.hpp"
-#include "unit/io/whole_results.hpp"
 
 namespace {
 
@@ -48,7 +48,7 @@ struct GoodFile {
 };
 
 GoodFile good_file(const Results& results) {
-  std::string bytes = bytes_of(results, fuzz::folder(), "good.h5");
+  std::string bytes = test::bytes_of(results, fuzz::folder(), "good.h5");
   return {std::move(bytes), fuzz::names_in(fuzz::folder().path() / "good.h5")};
 }
 
@@ -64,9 +64,9 @@ void edit_and_read(const GoodFile& good, const std::uint8_t* data, std::size_t s
   fuzz::may_refuse([&] { results = read_results(file); });
   if (!results) return;
   check_whole(*results);
-  const std::string copy = bytes_of(*results, fuzz::folder(), "copy.h5");
+  const std::string copy = test::bytes_of(*results, fuzz::folder(), "copy.h5");
   const Results read = read_results(fuzz::folder().path() / "copy.h5");
-  check(copy == bytes_of(read, fuzz::folder(), "second.h5"), "results survive their file");
+  check(copy == test::bytes_of(read, fuzz::folder(), "second.h5"), "results survive their file");
   const WholeReport report = report_of(*results);
   for (const std::string& table : report.tables) check(!table.empty(), "tables are written");
   check(!report.page.empty(), "a page is made");
@@ -78,7 +78,8 @@ void edit_and_read(const GoodFile& good, const std::uint8_t* data, std::size_t s
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   static const bool silent = H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr) >= 0;
   check(silent, "HDF5 prints nothing");
-  static const std::array good = {good_file(with_fragility()), good_file(with_all())};
+  static const std::array good = {good_file(test::with_everything()),
+                                  good_file(test::results_of(test::study_of_means))};
   for (const GoodFile& file : good) edit_and_read(file, data, size);
   return 0;
 }

@@ -28,22 +28,28 @@ struct TextFile {
   static TextFile read(const std::filesystem::path& file);
 };
 
-/// The text files that a study consists of, each read once. Rank 0 reads them, and the other ranks,
-/// which may not see them, have them from it.
+/// The text files that a study consists of, each read once, by their names in the study. Rank 0
+/// reads them, and the other ranks, which may not see them, have them from it; a report has them
+/// from the results file.
 class TextFiles {
  public:
   TextFiles() = default;
   /// @param packed of a rank that has read all of them
   explicit TextFiles(std::span<const char> packed);
   std::vector<char> packed() const;
+  /// Of finished results: every other file that the study names was there.
+  explicit TextFiles(std::map<std::string, std::string> texts)
+      : are_given_(true), all_are_there_(true), texts_(std::move(texts)) {}
+  const std::map<std::string, std::string>& texts() const { return texts_; }
 
+  /// @param name relative to `folder`, or absolute
   /// Throws InputError where it cannot be read (read_text_file).
-  TextFile text_file(const std::filesystem::path& file);
+  TextFile text_file(const std::filesystem::path& folder, const std::string& name);
   /// Whether a file is there, to be read by rank 0.
   bool is_there(const std::filesystem::path& file);
 
  private:
-  bool are_given_ = false;
+  bool are_given_ = false, all_are_there_ = false;
   std::map<std::string, std::string> texts_;
   std::set<std::string> there_;
 };

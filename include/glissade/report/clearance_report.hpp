@@ -19,6 +19,8 @@ Table clearance_table(const Results& results);
 Table clearance_periods_table(const Results& results);
 /// Every orientation by itself, at the first of every other condition.
 Table clearance_orientations_table(const Results& results);
+/// Every condition in each orientation: by period, and the largest over the periods.
+std::vector<Table> clearance_by_orientation_tables(const Results& results);
 /// Every history that was run.
 Table clearance_histories_table(const Results& results);
 

@@ -6,6 +6,7 @@
 #include <variant>
 #include <vector>
 
+#include "glissade/core/data_table.hpp"
 #include "glissade/core/file_name.hpp"
 #include "glissade/fragility/fit.hpp"
 #include "glissade/report/html_text.hpp"
@@ -24,18 +25,19 @@ enum class ColumnKind {
 };
 
 struct Column {
-  std::string stem;     ///< "mean_slip": the CSV name without its unit
+  std::string stem;     ///< "mean_slip": the name in files without its unit
   std::string unit;     ///< "m", "g", "s" ...; empty for text, counts and dimensionless numbers
   std::string heading;  ///< for people, unit included: "Mean slip, m (in)"
   ColumnKind kind = ColumnKind::number;
+  std::string description;  ///< in results.h5
   bool with_interval =
-      false;            ///< cells are Estimates; CSV gets three columns: value, _low95, _high95
+      false;            ///< cells are Estimates; files get three columns: value, _low95, _high95
   int decimals = -1;    ///< of numbers for people; below 0: three significant digits
   bool detail = false;  ///< in CSV and HTML, not on a terminal
 };
 
 /// A column of text.
-Column text_column(std::string stem, std::string heading);
+Column text_column(std::string stem, std::string heading, std::string description = "");
 
 /// For people with a sign before the value: "> " of a lower bound, "< " of an upper one.
 struct SignedEstimate : Estimate {
@@ -46,13 +48,14 @@ struct SignedEstimate : Estimate {
 
 using Cell = std::variant<double, std::string, SignedEstimate>;
 
-/// A small table: made once, shown as CSV, on a terminal and in HTML.
+/// A small table: made once, shown as CSV, on a terminal, in HTML and in results.h5.
 struct Table {
   FileName name = "table";  ///< of its file, without .csv
   std::string title;        ///< one line: what it is
   std::vector<Column> columns;
   std::vector<std::vector<Cell>> rows;
   std::vector<std::string> notes;  ///< how to read it: a line each, below the title
+  bool is_of_inputs = false;       ///< or of histories, which results.h5 has in groups of their own
 
   /// Adds a row. Expects one cell per column: no number in a column of text, no interval in a
   /// column without.
@@ -70,6 +73,8 @@ std::string cell_text(const Column& column, const Cell& cell);
 /// `# title` and the notes likewise, a header with the unit in every name, then the rows (RFC 4180
 /// quoting). NaN is an empty field.
 std::string to_csv(const Table& table);
+/// The same for results.h5: an interval is two columns more; in a column of numbers a text is NaN.
+DataTable data_of(const Table& table);
 /// Title and aligned columns, numbers to the right, no wider than a terminal: texts and headings
 /// are broken, and where that is not enough the last columns are left out, and named.
 std::string to_text(const Table& table);

@@ -14,6 +14,14 @@ namespace glissade {
 /// Per run, threshold and method (stripes, capacities): the lognormal fragility and what it rests
 /// on.
 Table fragility_table(const Results& results);
+/// Per run: what friction is, and where its cases are.
+Table combinations_table(const Results& results);
+/// Per run and threshold: is the fit on capacities one that the capacities can come from.
+Table goodness_of_fit_table(const Results& results);
+/// Per run and threshold: the fit on capacities by intensity, with its band.
+Table fragility_band_table(const Results& results);
+/// Per run and threshold: the records that recross.
+Table recrossing_table(const Results& results);
 /// The fit to use per run and threshold, for reading: one row each.
 Table fragility_summary_table(const Results& results);
 /// Slip statistics per run and level.
@@ -37,6 +45,8 @@ Table samples_table(const Results& results);
 /// All of the above that are files of their own, in this order; of a design chart chart (the
 /// interpolation table), chart_by_period, chart_readings, chart_standards, records, spectra.
 std::vector<Table> csv_tables(const Results& results);
+/// Those of what the analyses found, for results.h5.
+std::vector<DataTable> data_tables(const Results& results);
 
 /// The fit on capacities where it converged, else the one on stripes where that did, else the one
 /// on capacities.

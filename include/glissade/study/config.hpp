@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -130,7 +131,9 @@ struct StudyConfig : Analyses::InStudy {
   std::vector<std::string> unmarked_numbers;
   std::filesystem::path file;  ///< the study file
   std::string source_text;     ///< the study file, verbatim
-  std::string hashed_text;     ///< the same with all quantities in the units of their keys
+  /// Texts of the files that it names but suites (pull tests, curves, spectra), by their names.
+  std::map<std::string, std::string> data_files;
+  std::string hashed_text;  ///< the study file with all quantities in the units of their keys
   std::vector<std::filesystem::path> suite_files;  ///< one at least, resolved
   std::vector<std::string> records;                ///< ids of the records to run; empty: all
   bool normalise_by_pgv = false;                   ///< each suite, of those records

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <limits>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -68,6 +69,7 @@ struct AnalysisResults : Analyses::InResults {
 /// Everything a study found, and nothing about when, where or on how many ranks.
 struct Results : AnalysisResults {
   std::string study_name, study_description, program_version, plan_hash, study_text;
+  std::map<std::string, std::string> study_data_files;  ///< StudyConfig::data_files
   std::uint64_t seed = 0;
   UnitSystem units = UnitSystem::si;  ///< what stands first in the report
   IntensityMeasure measure = IntensityMeasure::sds_g;

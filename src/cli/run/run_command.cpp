@@ -20,6 +20,7 @@
 #include "glissade/io/suite_file.hpp"
 #include "glissade/parallel/threads.hpp"
 #include "glissade/report/summary.hpp"
+#include "glissade/report/tables.hpp"
 #include "glissade/report/write_report.hpp"
 #include "glissade/study/plan/plan.hpp"
 #include "glissade/study/run/reduce.hpp"
@@ -69,7 +70,7 @@ void write_all(const Plan& whole, RunHistories& all, std::uint64_t resumed,
   const Results results = reduce(plan, all.histories.take(plan), all.motion_parts);
   clock.end_phase("analyses");
   if (stop.requested()) end_stopped(out, stop.reason(), all.units, all.units);
-  keeping_units(out, [&] { write_results(out / "results.h5", results); });
+  keeping_units(out, [&] { write_results(out / "results.h5", results, data_tables(results)); });
   clock.end_phase("results file");
   const auto record = [&](const std::string& what_to_do) {
     write_text_file(out / "run.json", run_json(results, skips, clock, ranks, count, resumed,

@@ -23,8 +23,8 @@ constexpr std::array components{
                    [](const Motion& m) -> const Samples& { return m.vertical_mps2; }}};
 
 Column number(std::string stem, std::string unit, std::string heading, int decimals = -1) {
-  return {std::move(stem),    std::move(unit), std::move(heading),
-          ColumnKind::number, false,           decimals};
+  return {std::move(stem), std::move(unit), std::move(heading), ColumnKind::number, "",
+          false,           decimals};
 }
 
 std::vector<Column> columns() {

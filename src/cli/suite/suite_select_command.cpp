@@ -185,11 +185,11 @@ Table records_table(const Suite& library, const RecordSelection& s) {
               "Selected records",
               {{"id", "", "record", ColumnKind::text},
                {"event", "", "event", ColumnKind::text},
-               {"magnitude", "", "M", ColumnKind::number, false, 2},
-               {"distance", "km", "R, km", ColumnKind::number, false, 1},
-               {"vs30", "mps", "Vs30, m/s", ColumnKind::number, false, 0},
-               {"scale", "", "factor", ColumnKind::number, false, 4},
-               {"misfit", "", "misfit", ColumnKind::number, false, 3}},
+               {"magnitude", "", "M", ColumnKind::number, "", false, 2},
+               {"distance", "km", "R, km", ColumnKind::number, "", false, 1},
+               {"vs30", "mps", "Vs30, m/s", ColumnKind::number, "", false, 0},
+               {"scale", "", "factor", ColumnKind::number, "", false, 4},
+               {"misfit", "", "misfit", ColumnKind::number, "", false, 3}},
               {}};
   const auto given = [](double value) { return value > 0.0 ? value : std::nan(""); };
   for (const SelectedRecord& r : s.records) {

@@ -60,6 +60,7 @@ Interval log_std_interval(EstimateWithError log_log_std,
                           const std::vector<EstimateWithError>& replicates, std::size_t records,
                           double level) {
   const auto [value, error] = log_log_std;
+  if (std::isnan(error)) return {};
   const Interval by_t = t_interval(log_log_std, replicates, 0.5 - 0.5 * level);
   const double freedom = std::min(0.5 / (error * error), static_cast<double>(records) - 1);
   const auto by_chi_squared = [&](double probability) {

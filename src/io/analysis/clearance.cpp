@@ -2,7 +2,6 @@
 #include <fmt/format.h>
 
 #include "analysis/in_files.hpp"
-#include "analysis/suite_mean.hpp"
 
 namespace glissade {
 namespace {
@@ -18,16 +17,6 @@ void read_clearance(const TomlTable& root, StudyConfig& study) {
                               .value_or(clearance.orientation);
   clearance.without_target = table.flag("without_target").value_or(clearance.without_target);
   study.clearance = clearance;
-}
-
-void check_clearance(const ClearanceResults& clearance, Results& results) {
-  need_conditions(results);
-  const ConditionGrid& grid = results.conditions->grid;
-  expect_fit(clearance.factor >= 1.0, "factor", "required clearance");
-  check_suite_means(results, sliding_conditions(grid, Periods::largest), clearance.required,
-                    &RequiredClearance::largest);
-  check_suite_means(results, sliding_conditions(grid, Periods::one), clearance.by_period,
-                    std::identity{});
 }
 
 }  // namespace
@@ -61,29 +50,7 @@ AnalysisInFiles ClearanceAnalysis::in_files() {
       .uses = {"model.displacement"},
       .stands_alone = true,
       .needs_every_history = true,
-      .design_friction = FrictionUse::required,
-      .exchange = Exchange::in_group<&Results::clearance>([](const auto& archive, const auto& scale,
-                                                             auto& clearance) {
-        archive.attribute("factor", clearance.factor);
-        name_attribute<OrientationRule>(archive, "orientation", orientation_rule_names(),
-                                        clearance.orientation);
-        const auto required = archive.group("required");
-        exchange_suite_means(required, scale,
-                             {"displacement_m", "m", "displacement, the largest over the periods"},
-                             clearance.required, &RequiredClearance::largest);
-        const Columns column(required, clearance.required);
-        column("clearance_m",
-               {"m", "required clearance, by the rule that is the attribute orientation"},
-               &RequiredClearance::clearance_m);
-        column("clearance_median_m", {"m", "the factor x median_displacement_m"},
-               &RequiredClearance::median_m);
-        column("clearance_highest_m", {"m", "the factor x highest_displacement_m"},
-               &RequiredClearance::highest_m);
-        exchange_suite_means(archive.group("by_period"), scale,
-                             {"displacement_m", "m", "displacement"}, clearance.by_period,
-                             std::identity{});
-      }),
-      .check = if_found<&Results::clearance, check_clearance>};
+      .design_friction = FrictionUse::required};
 }
 
 }  // namespace glissade

@@ -7,57 +7,10 @@
 
 #include "enum_names.hpp"
 #include "glissade/study/results.hpp"
-#include "results/archive.hpp"
-#include "results/envelope.hpp"
-#include "results/shared_schema.hpp"
 #include "study/grammar.hpp"
 #include "toml/toml_table.hpp"
 
 namespace glissade {
-
-/// The group of Results::runs, each a group by its label.
-inline constexpr const char* runs_group = "runs";
-
-/// An analysis in the results file: fields that are named once, for both ways.
-struct Exchange {
-  void (*write)(const Hdf5Writer& root, const char* table, const IntensityScale& scale,
-                const Results& results) = nullptr;
-  void (*read)(const Hdf5Reader& root, const char* table, const IntensityScale& scale,
-               Results& results) = nullptr;
-
-  /// What `fields(root, table, scale, results)` names.
-  template <class Fields>
-  static Exchange of(Fields) {
-    return {[](const Hdf5Writer& root, const char* table, const IntensityScale& scale,
-               const Results& results) { Fields{}(root, table, scale, results); },
-            [](const Hdf5Reader& root, const char* table, const IntensityScale& scale,
-               Results& results) { Fields{}(root, table, scale, results); }};
-  }
-  /// What `fields(group, table, scale, run)` names of each of Results::runs, in the group of the
-  /// run, which FragilityAnalysis makes.
-  template <class Fields>
-  static Exchange of_runs(Fields) {
-    return of([](const auto& root, const char* table, const auto& scale, auto& results) {
-      const auto runs = root.group(runs_group);
-      for (auto& run : results.runs) Fields{}(runs.group(run.label), table, scale, run);
-    });
-  }
-  /// What `fields(group, scale, found)` names of one part of the results, in a group with the name
-  /// of its table.
-  template <auto part, class Fields>
-  static Exchange in_group(Fields) {
-    return of([](const auto& root, const char* table, const auto& scale, auto& results) {
-      if_there(root, table, results.*part,
-               [&](const auto& group, auto& found) { Fields{}(group, scale, found); });
-    });
-  }
-};
-
-/// Checks a part of the results that was read, where there is one.
-template <auto part, auto check>
-void if_found(Results& results) {
-  if (results.*part) check(*(results.*part), results);
-}
 
 /// What becomes of a value of drawn friction that an analysis may read.
 enum class FrictionUse {
@@ -82,7 +35,7 @@ struct AnalysisNeeds {
 inline constexpr AnalysisNeeds needs_fragility{
     "[fragility]", [](const TomlTable& root, const StudyConfig&) { return root.has("fragility"); }};
 
-/// What an analysis has in study files and results files. A part may be missing.
+/// What an analysis has in study files. A part may be missing.
 struct AnalysisInFiles {
   const char* table = nullptr;  ///< of the study file
   void (*read)(const TomlTable& root, StudyConfig& study) = nullptr;
@@ -94,9 +47,6 @@ struct AnalysisInFiles {
   bool needs_every_history = false;  ///< those beyond the largest threshold too
   bool of_any_run = false;  ///< can be added to finished results: every run keeps what it reads
   FrictionUse sampled_friction = FrictionUse::none, design_friction = FrictionUse::none;
-  Exchange exchange;
-  /// Throws Hdf5Error where parts that were read do not fit each other.
-  void (*check)(Results& results) = nullptr;
 };
 
 /// All, in the order of Analyses.

@@ -14,11 +14,6 @@ void read_intensity_measures(const TomlTable& root, StudyConfig& study) {
     ranked.sa_periods_s = read_increasing(table, "sa_periods_s", period_rule);
 }
 
-void check_intensity_measures(const std::vector<RankedMeasure>& ranked, const Results& results) {
-  for (const RankedMeasure& row : ranked)
-    expect_fit(row.run < results.runs.size(), "run", "intensity_measures");
-}
-
 }  // namespace
 
 AnalysisInFiles IntensityMeasuresAnalysis::in_files() {
@@ -34,29 +29,7 @@ AnalysisInFiles IntensityMeasuresAnalysis::in_files() {
                  [](const TomlTable&, const StudyConfig& s) {
                    return s.intensity.measure != IntensityMeasure::ppa_g;
                  }}},
-      .of_any_run = true,
-      .exchange = Exchange::in_group<&Results::intensity_measures>([](const auto& archive,
-                                                                      const auto&, auto& rows) {
-        const Columns column(archive, rows, "measure");
-        column("measure", {"-", "intensity measure, or two"}, &RankedMeasure::name);
-        column("run", {"-", "position of the run"}, &RankedMeasure::run);
-        column("threshold_m", {"m", "clearance threshold"}, &RankedMeasure::threshold_m);
-        column("pair", {"-", "1: of two measures"}, &RankedMeasure::pair);
-        column("dispersion", {"-", "standard deviation of the records' ln capacity in it"},
-               &RankedMeasure::dispersion);
-        column("smallest_share",
-               {"-", "share of the resamples of the records in which it ranks first"},
-               &RankedMeasure::smallest_share);
-        column("magnitude_slope", {"-", "of ln capacity per unit of magnitude; nan: not known"},
-               &RankedMeasure::magnitude_slope);
-        column("magnitude_p", {"-", "p-value of that"}, &RankedMeasure::magnitude_p);
-        column("distance_slope", {"-", "of ln capacity per unit of ln distance; nan: not known"},
-               &RankedMeasure::distance_slope);
-        column("distance_p", {"-", "p-value of that"}, &RankedMeasure::distance_p);
-        column("censored_records", {"-", "records of which half do not reach the threshold"},
-               &RankedMeasure::censored_records);
-      }),
-      .check = if_found<&Results::intensity_measures, check_intensity_measures>};
+      .of_any_run = true};
 }
 
 }  // namespace glissade

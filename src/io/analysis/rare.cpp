@@ -24,12 +24,6 @@ void read_rare(const TomlTable& root, StudyConfig& study) {
   }
 }
 
-void check_rare(const RareResults& rare, const Results& results) {
-  expect_fit(!rare.rows.empty(), "rows", "rare");
-  for (const RareRow& row : rare.rows)
-    expect_fit(row.first_case < results.cases.size(), "first_case", "cases");
-}
-
 }  // namespace
 
 AnalysisInFiles RareAnalysis::in_files() {
@@ -53,32 +47,7 @@ AnalysisInFiles RareAnalysis::in_files() {
       .uses = {"model.displacement", "sampling.scrambles"},
       .stands_alone = true,
       .needs_every_history = true,
-      .sampled_friction = FrictionUse::usual,
-      .exchange = Exchange::in_group<&Results::rare>([](const auto& archive, const auto& scale,
-                                                        auto& rare) {
-        archive.attribute("widening", rare.widening);
-        list(archive, "weight",
-             {"-", "by sample: probability over that of the widened distributions"}, rare.weights);
-        const Columns column(archive, rare.rows, "threshold_m");
-        column("threshold_m", {"m", "clearance threshold"}, &RareRow::threshold_m);
-        column("first_case", {"-", "position in `cases` of the combination's first"},
-               &RareRow::first_case);
-        column("condition", {"-", "which combination of what the study lists"},
-               &RareRow::condition);
-        column(scale.level, {scale.unit, "intensity level"}, &RareRow::level);
-        column("probability", {"-", "that displacement reaches the threshold"},
-               &RareRow::probability);
-        column("sampling", {"-", "95 % interval of the samples, on these records"},
-               &RareRow::sampling_interval);
-        column("record", {"-", "95 % interval, bootstrap over records"}, &RareRow::record_interval);
-        column("effective_records", {"-", "number of records that carry the probability"},
-               &RareRow::effective_records);
-        column("plain_samples", {"-", "samples of plain Monte Carlo with the same sampling error"},
-               &RareRow::plain_samples);
-        column("effective_samples", {"-", "number of samples that carry the probability"},
-               &RareRow::effective_samples);
-      }),
-      .check = if_found<&Results::rare, check_rare>};
+      .sampled_friction = FrictionUse::usual};
 }
 
 }  // namespace glissade

@@ -13,16 +13,6 @@ bool compares(const TomlTable&, const StudyConfig& study) {
   return std::ranges::find(study.standards.compare, standard) != study.standards.compare.end();
 }
 
-template <class Archive, class Comparisons>
-void exchange_standards(const Archive& archive, Comparisons& rows) {
-  exchange_prescriptions(archive, rows);
-  const Columns column(archive, rows);
-  column("exceedance_probability", {"-", "share of histories with slip above it"},
-         &StandardComparison::exceedance_probability);
-  column("exceedance", {"-", "95 % interval of that share"},
-         &StandardComparison::exceedance_interval);
-}
-
 void read_standards(const TomlTable& root, StudyConfig& study) {
   const TomlTable table = root.table("standards");
   constexpr NumberRule importance_rule{"from 1 to 1.5",
@@ -63,11 +53,7 @@ AnalysisInFiles StandardsAnalysis::in_files() {
                     {"standards", "seismic_design_category", "\"seaoc_pv1_2012\" in compare",
                      compares<Standard::seaoc_pv1_2012>}},
       .needs_every_history = true,
-      .of_any_run = true,
-      .exchange =
-          Exchange::of_runs([](const auto& of_run, const char* table, const auto&, auto& run) {
-            exchange_standards(of_run.group(table), run.standards);
-          })};
+      .of_any_run = true};
 }
 
 }  // namespace glissade

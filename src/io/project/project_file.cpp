@@ -105,7 +105,7 @@ void read_site(const TomlTable& table, Project& project) {
                                            (has("sds_g") && has("sd1_g")));
   if (!is_whole) return table.ignore_unknown();  // what is missing has been reported
   const std::size_t before = table.problem_count();
-  project.site.target = read_target(table, project.file.parent_path(), &project.site.mapped);
+  project.site.target = read_target(table, &project.site.mapped);
   if (project.site.mapped && project.site.target.edition == AsceEdition::asce7_22)
     table.report("ss_g", "ASCE 7-22 has no site coefficients: site.ss_g is of no use here",
                  "leave out ss_g, s1_g and site_class");
@@ -304,7 +304,7 @@ std::optional<ProjectHazard> read_project_hazard(const TomlTable& table, const f
   const bool is_given = std::ranges::any_of(std::array{"curve", "k0", "k", "design_life_years"},
                                             [&](const char* key) { return table.has(key); });
   if (!is_given) return std::nullopt;
-  const auto config = read_hazard(table, IntensityMeasure::sds_g.key(), 0.0, folder);
+  const auto config = read_hazard(table, IntensityMeasure::sds_g.key(), 0.0);
   if (!config) return std::nullopt;
   const std::string curve = table.text("curve").value_or("");
   return ProjectHazard{curve,

@@ -22,11 +22,10 @@ namespace {
 
 constexpr std::uint64_t largest_toml_integer = std::numeric_limits<std::int64_t>::max();
 
-std::optional<DesignTarget> read_optional_target(const TomlTable& root,
-                                                 const std::filesystem::path& folder) {
+std::optional<DesignTarget> read_optional_target(const TomlTable& root) {
   const TomlTable table = root.table("target");
   if (!table.exists()) return std::nullopt;
-  return read_target(table, folder);
+  return read_target(table);
 }
 
 bool read_selection(const TomlTable& head) {
@@ -167,7 +166,7 @@ Suite read_recorded_suite(const std::filesystem::path& file, TomlDocument& docum
   suite.name = head.required_text("name");
   suite.description = head.text("description").value_or("");
   suite.nearest_to_target = read_selection(head);
-  suite.target = read_optional_target(root, file.parent_path());
+  suite.target = read_optional_target(root);
   const std::vector<TomlTable> records = root.tables("record");
   if (records.empty())
     root.report_missing("record", "give [[record]] entries, or [simulation] and [[motion]]");
@@ -238,14 +237,14 @@ SyntheticMotion read_synthetic_motion(const TomlTable& table) {
   return motion;
 }
 
-SyntheticRecipe read_recipe(TomlDocument& document, const std::filesystem::path& folder) {
+SyntheticRecipe read_recipe(TomlDocument& document) {
   const TomlTable root = document.root();
   const TomlTable head = root.required_table("suite");
   SyntheticRecipe recipe;
   recipe.name = head.required_text("name");
   recipe.description = head.text("description").value_or("");
   recipe.nearest_to_target = read_selection(head);
-  recipe.target = read_target(root.required_table("target"), folder);
+  recipe.target = read_target(root.required_table("target"));
 
   if (!recipe.target.period_s.empty())
     root.table("target").report("spectrum",
@@ -285,7 +284,7 @@ StatedTarget read_stated_target(const std::filesystem::path& file) {
                       "give a project or a suite file with one", ""});
   table.ignore_unknown();
   std::optional<DesignTarget> mapped;  // beside a spectrum: of a project, not for a suite
-  StatedTarget stated{read_target(table, file.parent_path(), &mapped), {}};
+  StatedTarget stated{read_target(table, &mapped), {}};
   if (const auto spectrum = table.text("spectrum"))
     stated.spectrum_file = file.parent_path() / *spectrum;
   document.finish();
@@ -308,7 +307,7 @@ std::vector<RecordFile> record_files(const std::filesystem::path& suite_file) {
 
 SyntheticRecipe read_recipe(const std::filesystem::path& file) {
   TomlDocument document(file);
-  return read_recipe(document, file.parent_path());
+  return read_recipe(document);
 }
 
 Suite load_suite(const std::filesystem::path& file) {
@@ -318,8 +317,7 @@ Suite load_suite(const std::filesystem::path& file) {
       throw InputError({file.string(), fmt::format("is a {} file, not a suite", other),
                         "name a file of [[record]] entries (suites/README.md)", ""});
   }
-  if (document.root().has("simulation"))
-    return simulate_suite(read_recipe(document, file.parent_path()));
+  if (document.root().has("simulation")) return simulate_suite(read_recipe(document));
   return read_recorded_suite(file, document);
 }
 

@@ -4,8 +4,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "analysis/in_files.hpp"
-#include "glissade/core/contract.hpp"
+#include "glissade/io/study_file.hpp"
+#include "glissade/study/cases/sample_points.hpp"
+#include "glissade/study/run/reduce.hpp"
+#include "results/archive.hpp"
 #include "results/envelope.hpp"
 #include "results/schema.hpp"
 
@@ -14,42 +16,31 @@ namespace {
 
 constexpr ResultsKind kind{"glissade results", results_format_version, "glissade results file"};
 
-bool labels_are_distinct_names(const Results& results) {
-  for (std::size_t i = 0; i < results.runs.size(); ++i) {
-    const std::string& label = results.runs[i].label;
-    if (!FileName::accepts(label) || label == "label") return false;
-    for (std::size_t j = 0; j < i; ++j) {
-      if (results.runs[j].label == label) return false;
-    }
+/// The study that is stored, with the files that it names.
+StudyConfig study_of(const Results& results, const std::filesystem::path& file) {
+  constexpr const char* name = "study.toml";
+  std::map<std::string, std::string> texts = results.study_data_files;
+  texts[name] = results.study_text;
+  TextFiles files(std::move(texts));
+  try {
+    return read_study(name, files);
+  } catch (const InputError& error) {
+    throw InputError({file.string(), std::string("has a study that is none: ") + error.what(),
+                      "give a results file of `glissade run`, or run the study again", ""});
   }
-  return true;
 }
 
-void check_cases(const Results& results) {
-  const CaseSet& set = results.cases;
-  expect_fit(set.samples > 0 && set.orientations > 0 && set.size() > 0, "samples", "cases");
-  std::size_t size = set.samples;
-  const auto times = [&](std::size_t factor) {
-    expect_fit(factor > 0 && size <= set.size() / factor, "axes", "cases");
-    size *= factor;
-  };
-  times(set.orientations);
-  for (const CaseAxis& axis : set.axes) {
-    times(axis.size());
-    expect_fit(axis.names.empty() || axis.names.size() == axis.size(), "names", "axis");
-    for (const std::string& name : axis.names) expect_file_name(name);
-    if (axis.key == "array.support" || axis.key == "vertical.use" || axis.key == "friction.value") {
-      for (const double value : axis.values)
-        expect_fit(value == 0.0 || value == 1.0 || value == 2.0, "values", "axis of choices");
-    } else {
-      expect_fit(std::ranges::any_of(parameters(),
-                                     [&](const Parameter& p) {
-                                       return axis.key == std::string(p.table) + "." + p.key;
-                                     }),
-                 "axes", "parameters of a case");
-    }
-  }
-  expect_fit(size == set.size(), "axes", "cases");
+/// With sampling.target_error those of the first scrambles, with a [sensitivity] that was added to
+/// finished results those of one matrix.
+bool are_samples_of(const StudyConfig& study, std::uint64_t samples) {
+  const std::uint64_t all = SamplePoints(study).count(), of_block = study.sampling.blocks().size;
+  return samples == all || (study.sensitivity && samples == study.sampling.samples) ||
+         (study.sampling.target && samples > 0 && samples < all && samples % of_block == 0);
+}
+
+void check_cases(const CaseSet& set, const StudyConfig& study) {
+  expect_fit(are_samples_of(study, set.samples), "samples", "study");
+  expect_fit(set.cases.size() == set.CaseGrid::size(), "cases", "study");
   for (const Case& c : set.cases) {
     const double azimuth = c.orientation.ground_azimuth_deg;
     expect_fit(azimuth >= 0.0 && azimuth < 360.0, "ground_azimuth_deg", "circle");
@@ -59,6 +50,8 @@ void check_cases(const Results& results) {
 
 void check_suites(const Results& results) {
   std::uint64_t suite = 0;
+  expect_usable("dbe_level", {results.model.dbe_level});
+  expect_usable("period_s", results.record_periods_s);
   expect_fit(!results.records.empty() && results.records.front().suite == 0, "records", "suites");
   for (const RecordSummary& record : results.records) {
     expect_fit(record.suite == suite || record.suite == suite + 1, "records", "suites");
@@ -72,6 +65,9 @@ void check_suites(const Results& results) {
   for (std::size_t i = 0; i < results.suites.size(); ++i) {
     const SuiteSpectra& s = results.suites[i].spectra;
     const std::size_t periods = s.periods_s.size();
+    expect_usable("period_s", s.periods_s);
+    expect_usable("average_srss_g", s.average_srss_g);
+    expect_usable("target_g", s.target_g);
     const auto is_whole = [&](const std::vector<double>& x) { return x.size() == periods; };
     const auto records = std::ranges::count(results.records, i, &RecordSummary::suite);
     expect_fit(s.srss_g.size() == static_cast<std::size_t>(records), "srss_g", "records");
@@ -83,69 +79,59 @@ void check_suites(const Results& results) {
   }
 }
 
-/// The fields that the histories have go with each other; their shapes are checked where they are
-/// read.
-void check_histories(const Results& results) {
-  const HistoryTable& table = results.histories;
-  const HistoryFields& f = table.fields;
-  const std::size_t size = table.records * table.cases * table.levels;
-  const auto whole_or_none = [&](const auto& field) {
-    return field.empty() || field.size() == size;
-  };
-  const auto is_not_rising = [](double a, double b) { return !(a < b); };
-  if (!std::ranges::all_of(results.levels, [](double l) { return std::isfinite(l); }) ||
-      std::ranges::adjacent_find(results.levels, is_not_rising) != results.levels.end())
-    throw Hdf5Error("take levels that do not rise");
-  if (std::ranges::any_of(f.peak_displacement_m, [](double d) { return std::isnan(d); }))
-    throw Hdf5Error("take a displacement that is not a number");
-  expect_fit(size > 0 && f.peak_displacement_m.size() == size, "peak_displacement_m",
-             "records, cases and levels");
-  expect_fit(f.uplift.size() == size && f.failed.size() == size, "uplift",
-             "records, cases and levels");
-  expect_fit(f.capacity.size() == table.records * table.cases * table.thresholds, "capacity",
-             "thresholds");
-  expect_fit(f.peak_vector_m.size() == (slides_on_two_axes(results) ? size : 0), "peak_vector_m",
-             "axes");
-  expect_fit(f.residual_along_m.size() == f.peak_vector_m.size() &&
-                 f.residual_across_m.size() == f.peak_vector_m.size(),
-             "residual_along_m", "axes");
-  expect_fit(whole_or_none(f.peak_along_m) && f.peak_along_m.size() == f.peak_across_m.size() &&
-                 f.peak_along_m.size() <= f.residual_along_m.size(),
-             "peak_along_m", "other displacements");
-  expect_fit(
-      whole_or_none(f.closing_along_m) && f.closing_along_m.size() == f.closing_across_m.size(),
-      "closing_along_m", "histories");
-  expect_fit(whole_or_none(f.shear_along) && f.shear_along.size() == f.shear_across.size(),
-             "shear_along", "histories");
-  expect_fit(f.crossing_time_s.size() == f.crossing_speed_mps.size(), "crossing_time_s",
-             "crossing_speed_mps");
+bool is_possible(const HistoryField<std::uint8_t>&, double x, double) { return x <= 1.0; }
+
+bool is_possible(const HistoryField<double>& field, double x, double highest_level) {
+  if (field.of == &HistoryFields::residual_along_m || field.of == &HistoryFields::residual_across_m)
+    return !std::isnan(x);
+  if (field.of == &HistoryFields::capacity)
+    return x >= 0.0 && (x <= highest_level || std::isinf(x));
+  return x >= 0.0 || (field.depth == Depth::levels_and_thresholds && std::isnan(x));
 }
 
-/// Every part is there for each record, case, level and threshold that the others have, so that
-/// readers of the results need no checks.
-void check_shapes(Results& results) {
-  check_cases(results);
+/// Each field that the study keeps is there, with numbers that a history can have.
+void check_histories(const Results& results, const KeptFields& kept) {
+  const HistoryTable& table = results.histories;
+  for_each_history_field([&]<class T>(const HistoryField<T>& field) {
+    const auto& values = table.fields.*field.of;
+    const std::size_t size = table.records * table.cases * table.depth(field.depth);
+    expect_fit(values.size() == (kept.has(field) ? size : 0), field.name, "study");
+    const auto is = [&](double x) { return is_possible(field, x, results.levels.back()); };
+    expect_fit(std::ranges::all_of(values, is), field.name, "numbers of a history");
+  });
+}
+
+/// What was read is of its study, so that analyses need no checks.
+void check_shapes(const Results& results, const StudyConfig& study) {
+  check_cases(results.cases, study);
   check_suites(results);
-  check_histories(results);
-  for (const AnalysisInFiles& analysis : analyses_in_files()) {
-    if (analysis.check != nullptr) analysis.check(results);
-  }
+  check_histories(results, KeptFields(study));
 }
 
 }  // namespace
 
-void write_results(const std::filesystem::path& file, const Results& results) {
-  GLISSADE_EXPECTS(labels_are_distinct_names(results));
-  write_results_of(kind, file, [&](const Hdf5Writer& root) { exchange(root, results); });
+void write_results(const std::filesystem::path& file, const Results& results,
+                   const std::vector<DataTable>& tables) {
+  write_results_of(kind, file,
+                   [&](const Hdf5Writer& root) { write_content(root, results, tables); });
+}
+
+Results read_histories(const std::filesystem::path& file) {
+  Results results;
+  read_results_of(kind, file, [&](const Hdf5Reader& root) {
+    read_run(root, results);
+    const StudyConfig study = study_of(results, file);
+    put_study(study, results);
+    static_cast<CaseGrid&>(results.cases) = PlannedCases(study);
+    read_histories(root, results);
+    check_shapes(results, study);
+  });
+  return results;
 }
 
 Results read_results(const std::filesystem::path& file) {
-  Results results;
-  read_results_of(kind, file, [&](const Hdf5Reader& root) {
-    exchange(root, results);
-    check_shapes(results);
-    if (!labels_are_distinct_names(results)) throw Hdf5Error("give its runs different labels");
-  });
+  Results results = read_histories(file);
+  analyse_again(study_of(results, file), results);
   return results;
 }
 

@@ -1,35 +1,31 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "results/schema.hpp"
 
-#include "analysis/in_files.hpp"
 #include "enum_names.hpp"
 #include "results/archive.hpp"
-#include "results/shared_schema.hpp"
 
 namespace glissade {
 namespace {
 
-// R is Results or const Results; so with the parts.
+// R is Results or const Results; so with the parts. What follows from the study is written, for
+// users of the file, and not read.
+
+/// How datasets of intensities are named, and their unit.
+struct IntensityScale {
+  std::string unit, suffix = unit_suffix(unit);  ///< "g", "_g"
+  explicit IntensityScale(const Results& results) : unit(results.measure.unit()) {}
+};
 
 template <class Archive, class Cases>
-void exchange_case_columns(const Archive& archive, Cases& cases) {
+void exchange_cases(const Archive& archive, Cases& cases) {
   const Columns column(archive, cases, "friction.mu");
-  // Written before there was this key: it is as usual.
-  const auto is_there = [&](const std::string& name) {
-    if constexpr (Archive::reads)
-      return archive.has(name);
-    else
-      return true;
-  };
   for (const Parameter& p : parameters()) {
-    const std::string name = std::string(p.table) + "." + p.key;
-    if (!is_there(name)) continue;
     column(
-        name, {p.unit, p.meaning}, [&](auto& c) -> auto& { return p.of(const_cast<Case&>(c)); });
+        std::string(p.table) + "." + p.key,
+        {p.unit, p.meaning}, [&](auto& c) -> auto& { return p.of(const_cast<Case&>(c)); });
   }
-  if (is_there("roof.neighbour_slope"))
-    column("roof.neighbour_slope", {"-", "where the neighbour stands, where there is one"},
-           &Case::neighbour_slope, neighbour_slope_names());
+  column("roof.neighbour_slope", {"-", "where the neighbour stands, where there is one"},
+         &Case::neighbour_slope, neighbour_slope_names());
   column("array.support", {"-", "how the array stands on the building"}, &Case::support,
          support_names());
   column("vertical.use", {"-", "whether the vertical ground motion acts"}, &Case::vertical,
@@ -46,29 +42,17 @@ void exchange_case_columns(const Archive& archive, Cases& cases) {
 }
 
 /// What the study lists: a group for each axis, in order.
-template <class Archive, class Axes>
-void exchange_axes(const Archive& archive, Axes& axes) {
-  const Columns column(archive, axes, "key");
+void write_grid(const Hdf5Writer& archive, const CaseGrid& grid) {
+  archive.attribute("orientations", std::uint64_t{grid.orientations});
+  const auto axes = archive.group("axes");
+  const Columns column(axes, grid.axes);
   column("key", {"-", "what the study lists, the first varies slowest"}, &CaseAxis::key);
   column("unit", {"-", "unit of its values"}, &CaseAxis::unit);
-  for (std::size_t i = 0; i < axes.size(); ++i) {
-    const auto group = archive.group("axis_" + std::to_string(i));
-    list(group, "value", {"as in unit", "values"}, axes[i].values);
-    list(group, "name", {"-", "what the values are called; empty: numbers"}, axes[i].names);
+  for (std::size_t i = 0; i < grid.axes.size(); ++i) {
+    const auto group = axes.group("axis_" + std::to_string(i));
+    list(group, "value", {"as in unit", "values"}, grid.axes[i].values);
+    list(group, "name", {"-", "what the values are called; empty: numbers"}, grid.axes[i].names);
   }
-}
-
-template <class Archive, class Set>
-void exchange_cases(const Archive& archive, Set& set) {
-  std::uint64_t samples = set.samples, orientations = set.orientations;
-  archive.attribute("samples", samples);
-  archive.attribute("orientations", orientations);
-  if constexpr (Archive::reads) {
-    set.samples = samples;
-    set.orientations = orientations;
-  }
-  exchange_axes(archive.group("axes"), set.axes);
-  exchange_case_columns(archive, set.cases);
 }
 
 template <class Archive, class R>
@@ -97,7 +81,7 @@ void exchange_histories(const Archive& archive, const IntensityScale& scale, R& 
                    : field.depth == Depth::thresholds ? "threshold)"
                                                       : "level, threshold)";
     Dims dims = shape;
-    archive.array(name, {is_intensity ? scale.unit : field.unit, description.c_str()}, dims,
+    archive.array(name, {is_intensity ? scale.unit.c_str() : field.unit, description.c_str()}, dims,
                   values);
     if (dims != shape) throw Hdf5Error("fit " + name + " to records, cases, levels and thresholds");
   });
@@ -130,18 +114,12 @@ void exchange_records(const Archive& archive, Records& records, Periods& periods
   column("samples", {"-", "number of samples"}, &RecordSummary::samples);
   column("has_second", {"-", "1 where there is a second horizontal"}, &RecordSummary::has_second);
   column("has_vertical", {"-", "1 where there is a vertical"}, &RecordSummary::has_vertical);
-  if constexpr (Archive::reads) {
-    if (!archive.has("pgd_m")) return;  // written before these were known
-  }
   column("pgd_m",
          {"m", "geometric mean of the horizontals' peak ground displacements, as recorded"},
          &RecordSummary::pgd_m);
   column("duration_s",
          {"s", "D5-95: from 5 to 95 % of the integral of a^2 of the horizontals together"},
          &RecordSummary::duration_s);
-  if constexpr (Archive::reads) {
-    if (!archive.has("arias_mps")) return;  // likewise
-  }
   column("arias_mps", {"m/s", "geometric mean of the horizontals' Arias intensities, as recorded"},
          &RecordSummary::arias_mps);
   list(archive, "period_s", {"s", "periods of the spectra"}, periods_s);
@@ -185,79 +163,110 @@ void exchange_suites(const Archive& archive, const IntensityScale& scale, Suites
   }
 }
 
+/// What the results follow from, beside cases, records, suites and histories.
 template <class Archive, class R>
-void exchange_head(const Archive& archive, R& results) {
-  archive.attribute("program_version", results.program_version);
-  archive.attribute("plan_hash", results.plan_hash);
-  archive.attribute("seed", results.seed);
-  std::uint64_t units = static_cast<std::uint64_t>(results.units);
-  archive.attribute("us_customary", units);
-  if constexpr (Archive::reads)
-    results.units = units == 0 ? UnitSystem::si : UnitSystem::us_customary;
+void exchange_run(const Archive& archive, R& results) {
   archive.attribute("study", results.study_text);
-  archive.attribute("study_name", results.study_name);
-  archive.attribute("study_description", results.study_description);
-  archive.attribute("intensity_label", results.intensity_label);
+  archive.attribute("plan_hash", results.plan_hash);
+  archive.attribute("program_version", results.program_version);
   archive.attribute("model_kernel", results.model.kernel);
   archive.attribute("model_building", results.model.building);
   archive.attribute("model_friction", results.model.friction);
   archive.attribute("model_displacement", results.model.displacement);
   archive.attribute("dbe_level", results.model.dbe_level);
-  name_attribute<SlidingAxes>(archive, "axes", axes_names(), results.axes);
-  name_attribute<DisplacementMeasure>(archive, "displacement", displacement_names(),
-                                      results.displacement);
-  std::string measure = results.measure.key();
-  archive.attribute("intensity_measure", measure);
-  if constexpr (Archive::reads) {
-    const auto known = IntensityMeasure::named(measure);
-    if (!known) throw Hdf5Error("understand the intensity measure " + measure);
-    results.measure = *known;
+}
+
+template <class Archive, class Files>
+void exchange_data_files(const Archive& archive, Files& files) {
+  std::vector<std::string> names;
+  if constexpr (!Archive::reads) {
+    for (const auto& file : files) names.push_back(file.first);
+  }
+  list(archive, "name", {"-", "the files that the study names, in order"}, names);
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    std::vector<std::uint8_t> bytes;
+    if constexpr (!Archive::reads)
+      bytes.assign(files.at(names[i]).begin(), files.at(names[i]).end());
+    list(archive, "file_" + std::to_string(i), {"-", "bytes of the file"}, bytes);
+    if constexpr (Archive::reads) files[names[i]] = std::string(bytes.begin(), bytes.end());
   }
 }
 
+/// Reading, those of the run alone: the others are those of the analyses.
 template <class Archive, class R>
-void exchange_remarks_of_run(const Archive& archive, R& results) {
+void exchange_remarks(const Archive& archive, R& results) {
+  list(archive, "warning", {"-", "what is possible and not probable, or not for design"},
+       results.warnings);
+  list(archive, "note", {"-", "remarks on the results"}, results.notes);
   std::vector<std::uint64_t> counts{results.warnings_of_run, results.notes_of_run};
-  list(
-      archive, "remarks_of_run",
-      {"-", "how many warnings, and how many notes, are of the run: the first; others of analyses"},
-      counts);
+  list(archive, "remarks_of_run",
+       {"-", "how many warnings, and how many notes, are of the run: the first"}, counts);
   if constexpr (Archive::reads) {
-    if (counts.size() != 2 || counts[0] > results.warnings.size() ||
-        counts[1] > results.notes.size())
-      throw Hdf5Error("fit remarks_of_run to the warnings and notes");
+    expect_fit(counts.size() == 2 && counts[0] <= results.warnings.size() &&
+                   counts[1] <= results.notes.size(),
+               "remarks_of_run", "warnings and notes");
     results.warnings_of_run = counts[0];
     results.notes_of_run = counts[1];
   }
 }
 
+void write_description(const Hdf5Writer& archive, const Results& results) {
+  archive.attribute("study_name", results.study_name);
+  archive.attribute("study_description", results.study_description);
+  archive.attribute("seed", results.seed);
+  archive.attribute("intensity_measure", std::string(results.measure.key()));
+  archive.attribute("intensity_label", results.intensity_label);
+  archive.attribute("units", name_of(unit_names(), results.units));
+  archive.attribute("axes", name_of(axes_names(), results.axes));
+  archive.attribute("displacement", name_of(displacement_names(), results.displacement));
+  const IntensityScale scale(results);
+  list(archive, "level" + scale.suffix, {scale.unit.c_str(), "intensity levels"}, results.levels);
+  list(archive, "threshold_m", {"m", "clearance thresholds"}, results.thresholds_m);
+  write_grid(archive.group("cases"), results.cases);
+}
+
 template <class Archive, class R>
 void exchange_all(const Archive& archive, R& results) {
-  exchange_head(archive, results);
-  const std::string unit = results.measure.unit();
-  const IntensityScale scale{unit.c_str(), unit_suffix(unit)};
-  list(archive, scale.level, {scale.unit, "intensity levels"}, results.levels);
-  list(archive, "threshold_m", {"m", "clearance thresholds"}, results.thresholds_m);
-  list(archive, "warning", {"-", "what is possible and not probable, or not for design"},
-       results.warnings);
-  list(archive, "note", {"-", "remarks on the results"}, results.notes);
-  exchange_remarks_of_run(archive, results);
-  exchange_cases(archive.group("cases"), results.cases);
+  std::uint64_t samples = results.cases.samples;
+  archive.group("cases").attribute("samples", samples);
+  if constexpr (Archive::reads) results.cases.samples = samples;
+  exchange_cases(archive.group("cases"), results.cases.cases);
   exchange_records(archive.group("records"), results.records, results.record_periods_s);
-  exchange_suites(archive.group("suites"), scale, results.suites);
-  exchange_histories(archive.group("histories"), scale, results);
-  for (const AnalysisInFiles& analysis : analyses_in_files()) {
-    if (analysis.exchange.write == nullptr) continue;
-    if constexpr (Archive::reads)
-      analysis.exchange.read(archive, analysis.table, scale, results);
-    else
-      analysis.exchange.write(archive, analysis.table, scale, results);
+  exchange_suites(archive.group("suites"), IntensityScale(results), results.suites);
+  exchange_histories(archive.group("histories"), IntensityScale(results), results);
+}
+
+void write_tables(const Hdf5Writer& archive, const std::vector<DataTable>& tables) {
+  for (const DataTable& table : tables) {
+    const Hdf5Writer group = archive.group(table.name);
+    group.attribute("title", table.title);
+    for (const DataColumn& column : table.columns) {
+      const Label label{column.unit.c_str(), column.description.c_str()};
+      std::visit(
+          [&](const auto& values) { group.array(column.name, label, {values.size()}, values); },
+          column.values);
+    }
   }
 }
 
 }  // namespace
 
-void exchange(const Hdf5Writer& archive, const Results& results) { exchange_all(archive, results); }
-void exchange(const Hdf5Reader& archive, Results& results) { exchange_all(archive, results); }
+void write_content(const Hdf5Writer& archive, const Results& results,
+                   const std::vector<DataTable>& tables) {
+  exchange_run(archive, results);
+  exchange_data_files(archive.group("study_files"), results.study_data_files);
+  exchange_remarks(archive, results);
+  write_description(archive, results);
+  exchange_all(archive, results);
+  write_tables(archive.group("tables"), tables);
+}
+
+void read_run(const Hdf5Reader& archive, Results& results) {
+  exchange_run(archive, results);
+  exchange_data_files(archive.group("study_files"), results.study_data_files);
+  exchange_remarks(archive, results);
+}
+
+void read_histories(const Hdf5Reader& archive, Results& results) { exchange_all(archive, results); }
 
 }  // namespace glissade

@@ -71,7 +71,7 @@ void read_friction(const TomlTable& table, const std::vector<FrictionValue>& usu
       read_choices<FrictionValue>(table, "value", friction_value_names()).value_or(usual);
   study.friction.across_is_given = table.has("across_mu");
   if (table.has("file")) {
-    read_tested_friction(table, study.file.parent_path(), study);
+    read_tested_friction(table, study);
   } else if (!table.has("mu") && table.exists()) {
     table.report_missing("mu",
                          "give mu = 0.5, mu = { mean = 0.55, std = 0.04 }, a list or a "

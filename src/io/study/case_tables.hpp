@@ -18,8 +18,7 @@ void read_friction(const TomlTable& table, const std::vector<FrictionValue>& usu
 /// normal, not below 0, with the mean and standard deviation of sliding friction over the tests.
 /// `folder` is the study file's. Leaves `friction` as it is where something is wrong, which is
 /// reported.
-void read_tested_friction(const TomlTable& table, const std::filesystem::path& folder,
-                          StudyConfig& study);
+void read_tested_friction(const TomlTable& table, StudyConfig& study);
 void read_support(const TomlTable& table, StudyConfig& study);
 void read_vertical(const TomlTable& table, StudyConfig& study);
 /// @param usual where [orientation] does not state the choice

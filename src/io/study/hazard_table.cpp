@@ -12,8 +12,7 @@ namespace glissade {
 namespace {
 
 /// The columns are the study's intensity measure and the annual rate of exceeding it.
-std::optional<HazardCurve> read_curve(const TomlTable& table, const std::string& measure,
-                                      const std::filesystem::path& folder) {
+std::optional<HazardCurve> read_curve(const TomlTable& table, const std::string& measure) {
   const std::string name = table.required_text("curve");
   if (name.empty()) return {};
   std::vector<HazardPoint> points;
@@ -28,7 +27,7 @@ std::optional<HazardCurve> read_curve(const TomlTable& table, const std::string&
     return {};
   };
   try {
-    read_number_rows(table.text_file(folder / name), {{{measure, "annual_rate"}, take}});
+    read_number_rows(table.text_file(name), {{{measure, "annual_rate"}, take}});
     return HazardCurve(points);
   } catch (const InputError& error) {
     table.report("curve", error);
@@ -39,7 +38,7 @@ std::optional<HazardCurve> read_curve(const TomlTable& table, const std::string&
 }  // namespace
 
 std::optional<HazardConfig> read_hazard(const TomlTable& table, const std::string& measure,
-                                        double sds_g, const std::filesystem::path& folder) {
+                                        double sds_g) {
   const bool by_file = table.has("curve"), by_law = table.has("k0") || table.has("k");
   // k beside S_DS alone: the law is that of the risk target.
   const bool by_target = by_law && sds_g > 0.0 && !table.has("k0");
@@ -50,7 +49,7 @@ std::optional<HazardConfig> read_hazard(const TomlTable& table, const std::strin
                  "give curve = \"FILE.csv\", or k0 and k of the annual rate k0 x^-k, or sds_g and "
                  "k of one that meets the risk target of ASCE 7");
   if (by_file) {
-    curve = read_curve(table, measure, folder);
+    curve = read_curve(table, measure);
     source = table.text("curve").value_or("");
   }
   if (by_law) {

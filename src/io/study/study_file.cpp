@@ -32,8 +32,7 @@ void refuse_other_keys(const TomlTable& table, IntensityMeasure measure) {
   }
 }
 
-IntensityConfig read_intensity(const TomlTable& table, const NumberRule& level_rule,
-                               const std::filesystem::path& folder) {
+IntensityConfig read_intensity(const TomlTable& table, const NumberRule& level_rule) {
   IntensityConfig intensity;
   std::string known;
   for (std::size_t i = 0; i < IntensityMeasure::count(); ++i)
@@ -71,7 +70,7 @@ IntensityConfig read_intensity(const TomlTable& table, const NumberRule& level_r
       [](double x) { return x >= longest_scaled_period_s && x <= longest_possible_scaled_s; },
       "from 0 to 2 s the suite is scaled in any case"};
   intensity.scaled_to_s = table.number("scaled_to_s", longest_rule).value_or(intensity.scaled_to_s);
-  if (table.has("target")) intensity.target = read_target(table.table("target"), folder);
+  if (table.has("target")) intensity.target = read_target(table.table("target"));
   refuse_other_keys(table, *measure);
   return intensity;
 }
@@ -145,8 +144,8 @@ StudyConfig read_study(const std::filesystem::path& file, TextFiles& files) {
   study.units = head.choice<UnitSystem>("units", unit_names()).value_or(study.units);
   read_suites(root.required_table("suite"), study);
   const bool fragility = root.has("fragility");
-  study.intensity = read_intensity(root.required_table("intensity"),
-                                   fragility ? above_zero : not_negative, file.parent_path());
+  study.intensity =
+      read_intensity(root.required_table("intensity"), fragility ? above_zero : not_negative);
   study.model = read_model(root.table("model"));
   read_quantities(root, study);
   read_friction(root.required_table("friction"), usual_friction_values(root), study);
@@ -169,6 +168,8 @@ StudyConfig read_study(const std::filesystem::path& file, TextFiles& files) {
   document.finish();
   if (study.units == UnitSystem::us_customary) study.unmarked_numbers = document.unmarked_numbers();
   study.hashed_text = document.text_in_key_units();
+  study.data_files = files.texts();
+  study.data_files.erase(file.filename().string());
   return study;
 }
 

@@ -42,8 +42,7 @@ void read_site_classes(const TomlTable& table, DesignTarget& target) {
   }
 }
 
-void read_spectrum(const TomlTable& table, const std::filesystem::path& folder,
-                   DesignTarget& target) {
+void read_spectrum(const TomlTable& table, DesignTarget& target) {
   const std::string name = table.required_text("spectrum");
   if (name.empty()) return;
   const auto take = [&](double mce_factor) {
@@ -62,8 +61,8 @@ void read_spectrum(const TomlTable& table, const std::filesystem::path& folder,
     };
   };
   try {
-    read_number_rows(table.text_file(folder / name), {{{"period_s", "design_sa_g"}, take(1.0)},
-                                                      {{"period_s", "mce_sa_g"}, take(1.5)}});
+    read_number_rows(table.text_file(name), {{{"period_s", "design_sa_g"}, take(1.0)},
+                                             {{"period_s", "mce_sa_g"}, take(1.5)}});
   } catch (const InputError& error) {
     table.report("spectrum", error);
     return;
@@ -120,8 +119,7 @@ void read_mapped(const TomlTable& table, DesignTarget& target) {
 
 }  // namespace
 
-DesignTarget read_target(const TomlTable& table, const std::filesystem::path& folder,
-                         std::optional<DesignTarget>* mapped) {
+DesignTarget read_target(const TomlTable& table, std::optional<DesignTarget>* mapped) {
   const EnumNames<AsceEdition> editions = {{"asce7_10", AsceEdition::asce7_10},
                                            {"asce7_16", AsceEdition::asce7_16},
                                            {"asce7_22", AsceEdition::asce7_22}};
@@ -134,7 +132,7 @@ DesignTarget read_target(const TomlTable& table, const std::filesystem::path& fo
   const bool has_both = mapped != nullptr && table.has("spectrum") && table.has("ss_g");
   check_one_form(table, has_both);
   if (table.has("spectrum")) {
-    read_spectrum(table, folder, target);
+    read_spectrum(table, target);
   } else if (table.has("sds_g") || table.has("sd1_g")) {
     target.sds_g = table.required_number("sds_g", above_zero);
     target.sd1_g = table.required_number("sd1_g", above_zero);

@@ -16,7 +16,6 @@ namespace glissade {
 /// tl_s (8 where absent) goes with the first two.
 /// `mapped` gets what ss_g, s1_g, site_class and tl_s state beside a spectrum. Where it is null
 /// they have no effect there, which is reported.
-DesignTarget read_target(const TomlTable& table, const std::filesystem::path& folder,
-                         std::optional<DesignTarget>* mapped = nullptr);
+DesignTarget read_target(const TomlTable& table, std::optional<DesignTarget>* mapped = nullptr);
 
 }  // namespace glissade

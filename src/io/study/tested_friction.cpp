@@ -98,8 +98,7 @@ void take(const TomlTable& table, const PullTestSummary& summary, const std::str
 
 }  // namespace
 
-void read_tested_friction(const TomlTable& table, const std::filesystem::path& folder,
-                          StudyConfig& study) {
+void read_tested_friction(const TomlTable& table, StudyConfig& study) {
   const std::size_t problems_before = table.problem_count();
   for (const char* key : {"mu", "across_mu"}) {
     if (table.has(key)) {
@@ -114,7 +113,7 @@ void read_tested_friction(const TomlTable& table, const std::filesystem::path& f
   const auto give_up = [&] { table.ignore_unknown(); };
   if (table.problem_count() > problems_before) return give_up();
   try {
-    take(table, read_pull_test_results(table.text_file(folder / file), rule).summary, file, study);
+    take(table, read_pull_test_results(table.text_file(file), rule).summary, file, study);
   } catch (const InputError& error) {
     table.report("file", error);
     give_up();

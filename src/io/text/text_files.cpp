@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "glissade/io/text_files.hpp"
 
-#include <stdexcept>
 #include <system_error>
 #include <utility>
 
 #include "glissade/core/bytes.hpp"
+#include "glissade/core/error.hpp"
 #include "glissade/core/file.hpp"
 
 namespace glissade {
@@ -33,20 +33,20 @@ std::vector<char> TextFiles::packed() const {
   return out.take();
 }
 
-TextFile TextFiles::text_file(const fs::path& file) {
-  const std::string name = file.string();
+TextFile TextFiles::text_file(const fs::path& folder, const std::string& name) {
   auto found = texts_.find(name);
   if (found == texts_.end()) {
-    if (are_given_) throw std::logic_error(name + " was not read by rank 0");
-    found = texts_.emplace(name, read_text_file(file)).first;
+    if (are_given_)
+      throw InputError({name, "is not among the files that were read with the study", "", ""});
+    found = texts_.emplace(name, read_text_file(folder / name)).first;
   }
-  return {file, found->second};
+  return {folder / name, found->second};
 }
 
 bool TextFiles::is_there(const fs::path& file) {
   std::error_code ignored;
   if (!are_given_ && fs::exists(file, ignored)) there_.insert(file.string());
-  return there_.contains(file.string());
+  return all_are_there_ || there_.contains(file.string());
 }
 
 }  // namespace glissade

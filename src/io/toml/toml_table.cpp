@@ -45,7 +45,8 @@ struct TomlDocument::State {
   void note_written(const toml::source_position& at, double value);
   Problem problem(const toml::source_position& at, std::string what, std::string suggestion) const;
   void find_unknown_keys(const toml::table& table, const std::string& path);
-  /// Without keys that have no effect where their table has another fault, from which that may come.
+  /// Without keys that have no effect where their table has another fault, from which that may
+  /// come.
   void throw_if_any() const;
 };
 
@@ -184,7 +185,8 @@ TomlDocument::TomlDocument(const std::filesystem::path& file, TextFiles* files)
     : state_(std::make_unique<State>()) {
   state_->file = file;
   if (files != nullptr) state_->files = files;
-  state_->source = SourceText(state_->files->text_file(file).text);
+  state_->source =
+      SourceText(state_->files->text_file(file.parent_path(), file.filename().string()).text);
   refuse_no_text(file, text());
   try {
     state_->root = parse_toml(text());
@@ -322,8 +324,8 @@ void TomlTable::report_unknown_word(std::string_view key, const std::string& wor
   report(key, given + " is not known", suggestion);
 }
 
-TextFile TomlTable::text_file(const std::filesystem::path& file) const {
-  return document_->files->text_file(file);
+TextFile TomlTable::text_file(const std::string& name) const {
+  return document_->files->text_file(document_->file.parent_path(), name);
 }
 
 bool TomlTable::is_there(const std::filesystem::path& file) const {

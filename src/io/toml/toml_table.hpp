@@ -134,8 +134,8 @@ class TomlTable {
   /// Notes problems reported without a place (validate(...)) at the value of `key`.
   void report(std::string_view key, const InputError& error) const;
   void report_missing(std::string_view key, std::string suggestion = "") const;
-  /// A file that the table names.
-  TextFile text_file(const std::filesystem::path& file) const;
+  /// A file that the table names, relative to the document's folder.
+  TextFile text_file(const std::string& name) const;
   bool is_there(const std::filesystem::path& file) const;
   /// What to suggest where the table has a key that is none.
   void explain_unknown(std::string_view key, std::string suggestion) const;

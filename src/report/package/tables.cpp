@@ -418,11 +418,11 @@ Table compared_table(const CalculationPackage& package) {
               {}};
   const bool has_rate = design.compared.front().rate.has_value();
   if (has_rate) {
-    table.columns.push_back({"annual_rate", "per_year", "Annual rate [95 %]", ColumnKind::rate,
-                             /*with_interval=*/true});
+    table.columns.push_back(
+        {"annual_rate", "per_year", "Annual rate [95 %]", ColumnKind::rate, "", true});
     table.columns.push_back({"life_probability", "",
                              "In " + life_text(*package.probability.hazard) + " [95 %]",
-                             ColumnKind::share, /*with_interval=*/true});
+                             ColumnKind::share, "", true});
   }
   for (const DisplacementExceedance& row : design.compared) {
     std::string what = "governing: " + length_in(row.displacement_m);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "analysis/analyses.hpp"
+#include "glissade/report/format.hpp"
 #include "glissade/report/tables.hpp"
 #include "text/study_text.hpp"
 
@@ -19,6 +20,15 @@ std::vector<Table> csv_tables(const Results& results) {
     if (!target.empty()) table.title += " Design target: " + target + ".";
   }
   return tables;
+}
+
+std::vector<DataTable> data_tables(const Results& results) {
+  const LengthUnits units(results.units);
+  std::vector<DataTable> data;
+  for (const Table& table : csv_tables(results)) {
+    if (!table.is_of_inputs) data.push_back(data_of(table));
+  }
+  return data;
 }
 
 }  // namespace glissade

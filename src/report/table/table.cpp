@@ -7,6 +7,7 @@
 #include <cctype>
 #include <cmath>
 #include <cstring>
+#include <limits>
 #include <string_view>
 #include <utility>
 
@@ -94,23 +95,45 @@ std::string with_unit(const std::string& stem, const std::string& unit) {
   return unit.empty() ? stem : stem + "_" + unit;
 }
 
-std::string csv_header(const Column& column) {
-  std::string header = csv_field(with_unit(column.stem, column.unit));
+/// The names of a column in files: one, or three with its interval.
+std::vector<std::string> names_of(const Column& column) {
+  std::vector<std::string> names{with_unit(column.stem, column.unit)};
   if (column.with_interval) {
-    header += "," + csv_field(with_unit(column.stem + "_low95", column.unit));
-    header += "," + csv_field(with_unit(column.stem + "_high95", column.unit));
+    names.push_back(with_unit(column.stem + "_low95", column.unit));
+    names.push_back(with_unit(column.stem + "_high95", column.unit));
   }
+  return names;
+}
+
+std::string csv_header(const Column& column) {
+  std::string header;
+  for (const std::string& name : names_of(column))
+    header += (header.empty() ? "" : ",") + csv_field(name);
   return header;
+}
+
+/// The numbers of a cell, NaN where it has none: value, and ends of the interval.
+Estimate estimate_of(const Cell& cell) {
+  if (const auto* number = std::get_if<double>(&cell)) return {*number, {}};
+  if (const auto* estimate = std::get_if<SignedEstimate>(&cell)) return *estimate;
+  return {std::numeric_limits<double>::quiet_NaN(), {}};
 }
 
 /// As wide as the column's header, whatever the cell.
 std::string csv_cell(const Column& column, const Cell& cell) {
-  const std::string no_interval = column.with_interval ? ",," : "";
-  if (const auto* text = std::get_if<std::string>(&cell)) return csv_field(*text) + no_interval;
-  if (const auto* number = std::get_if<double>(&cell)) return format_exact(*number) + no_interval;
-  const auto& [value, interval] = static_cast<const Estimate&>(std::get<SignedEstimate>(cell));
-  if (!column.with_interval) return format_exact(value);
-  return format_exact(value) + "," + format_exact(interval.low) + "," + format_exact(interval.high);
+  const auto [value, interval] = estimate_of(cell);
+  const auto* text = std::get_if<std::string>(&cell);
+  const std::string csv = text != nullptr ? csv_field(*text) : format_exact(value);
+  if (!column.with_interval) return csv;
+  return csv + "," + format_exact(interval.low) + "," + format_exact(interval.high);
+}
+
+/// "m/s" of what is "mps" in names.
+std::string unit_text(const std::string& unit) {
+  if (unit == "mps") return "m/s";
+  if (unit == "Jpkg") return "J/kg";
+  if (unit == "per_year") return "1/year";
+  return unit.empty() ? "-" : unit;
 }
 
 /// A text may stand anywhere ("-"); a number only in a column of numbers, and an interval only in
@@ -130,8 +153,8 @@ std::string padded(const std::string& text, std::size_t width, ColumnKind kind) 
 
 }  // namespace
 
-Column text_column(std::string stem, std::string heading) {
-  return {std::move(stem), "", std::move(heading), ColumnKind::text};
+Column text_column(std::string stem, std::string heading, std::string description) {
+  return {std::move(stem), "", std::move(heading), ColumnKind::text, std::move(description)};
 }
 
 void Table::add(std::vector<Cell> row) {
@@ -140,7 +163,7 @@ void Table::add(std::vector<Cell> row) {
 }
 
 Table Table::without(const std::string& stem) const {
-  Table rest{name, title, {}, std::vector<std::vector<Cell>>(rows.size()), notes};
+  Table rest{name, title, {}, std::vector<std::vector<Cell>>(rows.size()), notes, is_of_inputs};
   for (std::size_t c = 0; c < columns.size(); ++c) {
     if (columns[c].stem == stem) continue;
     rest.columns.push_back(columns[c]);
@@ -178,6 +201,36 @@ std::string to_csv(const Table& table) {
     csv += "\n";
   }
   return csv;
+}
+
+DataTable data_of(const Table& table) {
+  DataTable data{table.name, table.title, {}};
+  for (std::size_t c = 0; c < table.columns.size(); ++c) {
+    const Column& column = table.columns[c];
+    const std::vector<std::string> names = names_of(column);
+    const std::string unit = unit_text(column.unit);
+    if (column.kind == ColumnKind::text) {
+      std::vector<std::string> texts;
+      for (const std::vector<Cell>& row : table.rows)
+        texts.push_back(std::get<std::string>(row[c]));
+      data.columns.push_back({names[0], unit, column.description, std::move(texts)});
+      continue;
+    }
+    std::vector<double> values, low, high;
+    for (const std::vector<Cell>& row : table.rows) {
+      const auto [value, interval] = estimate_of(row[c]);
+      values.push_back(value);
+      low.push_back(interval.low);
+      high.push_back(interval.high);
+    }
+    data.columns.push_back({names[0], unit, column.description, std::move(values)});
+    if (!column.with_interval) continue;
+    data.columns.push_back(
+        {names[1], unit, "lower end of the 95 % interval of " + names[0], std::move(low)});
+    data.columns.push_back(
+        {names[2], unit, "upper end of the 95 % interval of " + names[0], std::move(high)});
+  }
+  return data;
 }
 
 namespace {

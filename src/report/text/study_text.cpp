@@ -60,22 +60,30 @@ std::string level_number(double level) {
 }
 
 Column intensity_column(const Results& results, const std::string& stem, const std::string& heading,
-                        bool with_interval) {
+                        const std::string& description, bool with_interval) {
   const std::string unit = results.measure.unit(), suffix = unit_suffix(unit);
-  return {stem, suffix.empty() ? "" : suffix.substr(1),
+  return {stem,
+          suffix.empty() ? "" : suffix.substr(1),
           heading + (unit == "-" ? "" : ", " + unit) + (with_interval ? " [95 %]" : ""),
-          ColumnKind::number, with_interval};
+          ColumnKind::number,
+          description,
+          with_interval};
+}
+
+Column level_column(const Results& results) {
+  return intensity_column(results, "level", "Level", "intensity level");
 }
 
 Column listed_column(const CaseAxis& axis) {
   const std::size_t dot = axis.key.find('.');
   std::string stem = axis.key.substr(dot + 1), heading = capitalised(axis.words());
   if (stem == "value" || stem == "use") stem = axis.key.substr(0, dot);
-  if (!axis.names.empty()) return text_column(stem, heading);
-  if (axis.unit == "-") return {stem, "", heading};
+  const std::string description = axis.words();
+  if (!axis.names.empty()) return text_column(stem, heading, description);
+  if (axis.unit == "-") return {stem, "", heading, ColumnKind::number, description};
   const std::string suffix = "_" + axis.unit;
   if (stem.ends_with(suffix)) stem.resize(stem.size() - suffix.size());
-  return {stem, axis.unit, heading + ", " + axis.unit};
+  return {stem, axis.unit, heading + ", " + axis.unit, ColumnKind::number, description};
 }
 
 Column listed_column(const char* table, const char* key) {

@@ -23,12 +23,16 @@ bool differs_by_suite(const Results& results);
 std::string with_unit(const Results& results, const std::string& value);
 /// A column of intensities, its unit in name and heading.
 Column intensity_column(const Results& results, const std::string& stem, const std::string& heading,
-                        bool with_interval = false);
+                        const std::string& description = "", bool with_interval = false);
+/// "level"
+Column level_column(const Results& results);
 /// Which combination of what the study lists a row is of: by its label, which names its files too,
 /// or by what is listed.
-inline const Column run_column = text_column("run", "Combination"),
-                    condition_column = text_column("condition", "Combination");
-inline const Column threshold_column = {"threshold", "m", "Clearance, m (in)", ColumnKind::length};
+inline const Column run_column = text_column("run", "Combination", "label in `combinations`"),
+                    condition_column = text_column("condition", "Combination",
+                                                   "which combination of what the study lists");
+inline const Column threshold_column = {"threshold", "m", "Clearance, m (in)", ColumnKind::length,
+                                        "clearance threshold"};
 /// The column of a quantity: "Building period, s".
 Column listed_column(const CaseAxis& axis);
 Column listed_column(const char* table, const char* key);

@@ -162,8 +162,11 @@ struct Ranking {
 
 bool can_be_ranked(const RecordRegression& data) {
   const auto censored = static_cast<std::size_t>(std::ranges::count(data.censored, true));
+  const auto is_finite = [](const std::vector<double>& values) {
+    return std::ranges::all_of(values, [](double v) { return std::isfinite(v); });
+  };
   return data.records() >= fewest_records && 2 * censored < data.records() &&
-         std::ranges::all_of(data.value, [](double v) { return std::isfinite(v); });
+         is_finite(data.value) && std::ranges::all_of(data.covariates, is_finite);
 }
 
 /// Over the records that have it.

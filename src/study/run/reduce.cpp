@@ -19,22 +19,11 @@ namespace {
 
 /// The plan's part of the results.
 Results header_of(const Plan& plan, const std::vector<std::vector<double>>& motion_parts) {
-  const StudyConfig& c = plan.config;
   Results results;
-  results.study_name = c.name;
-  results.study_description = c.description;
+  put_study(plan.config, results);
   results.program_version = GLISSADE_VERSION;
   results.plan_hash = plan.hash;
-  results.study_text = c.source_text;
-  results.units = c.units;
-  results.seed = c.seed;
-  results.measure = c.intensity.measure;
-  results.intensity_label = intensity_label(c.intensity);
   results.model = model_text(plan);
-  results.axes = c.model.axes;
-  results.displacement = c.model.displacement;
-  results.levels = c.intensity.levels;
-  results.thresholds_m = c.thresholds_m();
   results.cases = plan.cases.stored();
   put_motions(plan, motion_parts, results);
   return results;
@@ -107,13 +96,33 @@ Results reduce(const Plan& plan, HistoryTable histories,
   return results;
 }
 
-void analyse_again(StudyConfig study, Results& results) {
-  if (results.reached_target)
-    study.sampling = study.sampling.first_blocks(results.reached_target->scrambles);
+void put_study(const StudyConfig& study, Results& results) {
+  results.study_name = study.name;
+  results.study_description = study.description;
   results.study_text = study.source_text;
+  results.study_data_files = study.data_files;
+  results.units = study.units;
+  results.seed = study.seed;
+  results.measure = study.intensity.measure;
+  results.intensity_label = intensity_label(study.intensity);
+  results.axes = study.model.axes;
+  results.displacement = study.model.displacement;
+  results.levels = study.intensity.levels;
+  results.thresholds_m = study.thresholds_m();
+}
+
+StudyConfig as_run(StudyConfig study, std::size_t samples) {
+  const std::uint64_t of_block = study.sampling.blocks().size;
+  if (study.sampling.target) study.sampling = study.sampling.first_blocks(samples / of_block);
+  return study;
+}
+
+void analyse_again(const StudyConfig& study, Results& results) {
+  put_study(study, results);
   static_cast<AnalysisResults&>(results) = {};
-  analyse(Analyses(), study, results);
-  add_remarks_on_analyses(study, results);
+  const StudyConfig run = as_run(study, results.cases.samples);
+  analyse(Analyses(), run, results);
+  add_remarks_on_analyses(run, results);
 }
 
 std::vector<Skip> skipped_again(const StudyConfig& study, const std::vector<Skip>& skips) {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// [hazard] in study files and results files.
+// [hazard] in study files.
 #include "study_texts.hpp"
-#include "whole_results.hpp"
 
 namespace glissade {
 namespace {
@@ -104,38 +103,6 @@ TEST_F(HazardStudy, needs_a_fragility_every_history_and_earthquakes_that_can_be_
            {needed + "[hazard]\nk0 = 10\nk = 2\ndesign_life_years = 50\n",
             "study.toml:14",
             {"2000", "0.5", "1000"}}});
-}
-
-TEST(hazard_results_file, comes_back) {
-  const TemporaryFolder folder;
-  const Results written = with_all();
-  write_results(folder.path() / "a.h5", written);
-  const Results read = read_results(folder.path() / "a.h5");
-  const HazardResults &a = *written.hazard, &b = *read.hazard;
-  EXPECT_EQ(b.source, a.source);
-  EXPECT_EQ(b.intensity, a.intensity);
-  EXPECT_EQ(b.intensity_rate, a.intensity_rate);
-  EXPECT_EQ(b.design_life_years, a.design_life_years);
-  EXPECT_EQ(b.beyond_rate, a.beyond_rate);
-  EXPECT_EQ(b.residual_vectors, a.residual_vectors);
-  ASSERT_EQ(b.runs.size(), a.runs.size());
-  const HazardRun &run = a.runs[1], &same = b.runs[1];
-  EXPECT_EQ(same.label, run.label);
-  EXPECT_EQ(same.events, run.events);
-  EXPECT_EQ(same.from_intensity, run.from_intensity);
-  EXPECT_EQ(same.moving_share, run.moving_share);
-  ASSERT_EQ(same.thresholds.size(), run.thresholds.size());
-  EXPECT_EQ(same.thresholds[1].annual_rate.value, run.thresholds[1].annual_rate.value);
-  EXPECT_EQ(same.thresholds[1].beyond_share, run.thresholds[1].beyond_share);
-  EXPECT_EQ(same.thresholds[1].life_probability.interval.high,
-            run.thresholds[1].life_probability.interval.high);
-  ASSERT_EQ(same.curve.size(), run.curve.size());
-  EXPECT_EQ(same.curve[2].annual_rate.interval.high, run.curve[2].annual_rate.interval.high);
-  EXPECT_EQ(same.targets.at(1).displacement_m.value, run.targets[1].displacement_m.value);
-  EXPECT_EQ(same.targets.at(0).intensity, run.targets[0].intensity);
-  ASSERT_EQ(same.life.size(), run.life.size());
-  EXPECT_EQ(same.life[2].quantity, LifeQuantity::farthest);
-  EXPECT_EQ(same.life[0].p95_m.value, run.life[0].p95_m.value);
 }
 
 }  // namespace

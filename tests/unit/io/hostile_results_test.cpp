@@ -12,7 +12,6 @@
 #include "problems.hpp"
 #include "renew_checksum.hpp"
 #include "whole_report.hpp"
-#include "whole_results.hpp"
 
 // Results files whose numbers somebody has changed, and whose checksum was renewed: what the reader
 // itself checks. Each is refused with a message, or a report can be made of it.
@@ -29,7 +28,7 @@ class HostileResults : public testing::Test {
  protected:
   HostileResults() {
     H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
-    write_results(file_, with_all());
+    write_results(file_, test::with_everything());
     names_ = fuzz::names_in(file_);
     whole_ = read_text_file(file_);
   }
@@ -163,23 +162,6 @@ TEST_F(HostileResults, with_other_numbers_in_any_dataset_are_refused_or_reported
   expect_both();
 }
 
-TEST_F(HostileResults, whose_sensitivity_has_no_capacity_are_refused) {
-  Results results = with_all();
-  for (SpreadRow& row : results.sensitivity->rows) row.level = 1.0;
-  EXPECT_EQ(misfit_in(results), "capacity");
-}
-
-TEST_F(HostileResults, one_of_whose_runs_lacks_a_standard_are_reported) {
-  Results results = with_all();
-  results.runs[1].first_case = results.runs[0].first_case;  // of one friction value
-  results.runs[1].cases = results.runs[0].cases;
-  results.runs[1].standards.clear();
-  ASSERT_FALSE(results.runs[0].standards.empty());
-  write_results(file_, results);
-  take_outcome();
-  EXPECT_EQ(outcomes_.reported, 1);
-}
-
 /// A side of a dataset is one longer, and all its values are zero.
 bool put_longer(hid_t file, const std::string& name, int side) {
   const hid_t set = H5Dopen2(file, name.c_str(), H5P_DEFAULT);
@@ -205,13 +187,6 @@ bool put_longer(hid_t file, const std::string& name, int side) {
   return is_put;
 }
 
-TEST_F(HostileResults, with_a_highest_level_of_the_largest_number_are_reported) {
-  edited([&](hid_t file) {
-    return put_number(file, "level_g", bytes_of_number(std::numeric_limits<double>::max()), false);
-  });
-  EXPECT_EQ(outcomes_.reported, 1);
-}
-
 TEST_F(HostileResults, with_a_dataset_of_another_size_are_refused) {
   for (const std::string& name : names_) {
     for (int side = 0; side < 3; ++side) {
@@ -219,7 +194,7 @@ TEST_F(HostileResults, with_a_dataset_of_another_size_are_refused) {
       edited([&](hid_t file) { return put_longer(file, name, side); });
     }
   }
-  EXPECT_GT(outcomes_.refused, 100);
+  EXPECT_GT(outcomes_.refused, 50);
   std::printf("%d refused, %d reported\n", outcomes_.refused, outcomes_.reported);
 }
 
@@ -252,7 +227,6 @@ TEST_F(HostileResults, with_other_numbers_in_any_attribute_are_refused_or_report
       H5Oclose(object);
     });
     for (const auto& [attribute, number] : edits) {
-      if (!is_tried(name)) continue;
       SCOPED_TRACE(name + ", attribute " + attribute);
       edited([&](hid_t file) {
         const hid_t object = object_of(file);

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// [rare] and sampling.scrambles in study files and results files.
-#include "misfits.hpp"
+// [rare] and sampling.scrambles in study files.
 #include "study_texts.hpp"
-#include "whole_results.hpp"
 
 namespace glissade {
 namespace {
@@ -60,27 +58,6 @@ TEST_F(RareStudy, a_target_error_ends_scrambles_of_a_fragility) {
              "[friction]\nmu = 0.5\n[orientation]\nchoice = \"as_recorded\"\n" + sampling + "16\n" +
              fragility_part),
       ElementsAre("14 sampling.samples", "15 sampling.target_error", "16 sampling.scrambles"));
-}
-
-TEST(rare_results_file, comes_back_and_refuses_rows_that_do_not_fit) {
-  const TemporaryFolder folder;
-  Results results = with_all();
-  write_results(folder.path() / "results.h5", results);
-  const Results read = read_results(folder.path() / "results.h5");
-  ASSERT_TRUE(read.rare);
-  EXPECT_EQ(read.rare->weights, results.rare->weights);
-  EXPECT_EQ(read.rare->rows[1].probability, 5e-6);
-  EXPECT_EQ(read.rare->rows[1].record_interval.high, 0.5);
-  ASSERT_EQ(read.sampling_errors.size(), 1u);
-  EXPECT_EQ(read.sampling_errors[0].record_error, 0.0625);
-  ASSERT_TRUE(read.reached_target);
-  EXPECT_EQ(read.reached_target->error, 0.015625);
-  EXPECT_EQ(read.reached_target->most_scrambles, 4u);
-  results.reached_target->scrambles = 0;
-  EXPECT_EQ(misfit_in(results), "scrambles");
-  results.reached_target.reset();
-  results.rare->rows[0].first_case = results.cases.size();
-  EXPECT_EQ(misfit_in(results), "first_case");
 }
 
 }  // namespace

@@ -242,10 +242,10 @@ TEST_F(StudyFile, a_slope_may_be_given_as_a_rise_in_12) {
 
 TEST_F(StudyFile, several_suites_and_some_records_can_be_named) {
   folder_.write("other.toml", "");
-  const StudyConfig study =
-      read(study_part + "[suite]\nfiles = [\"suite.toml\", \"other.toml\"]\nrecords = "
-           "[\"b\"]\nnormalise = \"pgv\"\n" +
-           intensity_part + friction_part + fragility_part);
+  const StudyConfig study = read(study_part +
+                                 "[suite]\nfiles = [\"suite.toml\", \"other.toml\"]\nrecords = "
+                                 "[\"b\"]\nnormalise = \"pgv\"\n" +
+                                 intensity_part + friction_part + fragility_part);
   EXPECT_THAT(study.suite_files,
               ElementsAre(folder_.path() / "suite.toml", folder_.path() / "other.toml"));
   EXPECT_THAT(study.records, ElementsAre("b"));

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// [verdict] in study files and results files.
-#include "misfits.hpp"
+// [verdict] in study files.
 #include "study_texts.hpp"
-#include "whole_results.hpp"
 
 namespace glissade {
 namespace {
@@ -57,23 +55,6 @@ TEST_F(VerdictStudy, has_a_neighbour_on_a_facing_slope_where_there_are_both) {
            {text("0.4\nneighbour_over_mu = 1", "[0, 2]"),
             "study.toml:12",
             {"friction.neighbour_mu", "friction.neighbour_over_mu"}}});
-}
-
-TEST(verdict_results_file, refuses_rows_that_do_not_fit) {
-  Results results = with_all();
-  ASSERT_TRUE(results.verdict);
-  EXPECT_EQ(misfit_in(results), "");
-  results.verdict->rows[0].first_case = results.cases.size();
-  EXPECT_EQ(misfit_in(results), "first_case");
-  results = with_all();
-  for (VerdictRow& row : results.verdict->rows) {
-    row.displacement_m.pop_back();
-    row.displacement_interval.pop_back();
-  }
-  EXPECT_EQ(misfit_in(results), "displacement_m");
-  results = with_all();
-  results.verdict->separations[1].row = 2;
-  EXPECT_EQ(misfit_in(results), "row");
 }
 
 }  // namespace

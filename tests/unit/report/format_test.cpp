@@ -64,7 +64,7 @@ TEST(LengthUnits, customary_puts_inches_first_while_it_lives) {
     EXPECT_EQ(format_length_interval({0.254, std::numeric_limits<double>::infinity()}),
               "10.0 in or more");
     const Table table{
-        "t", "", {{"slip", "m", "Slip, m (in) [95 %, m]", ColumnKind::length, true}}, {}};
+        "t", "", {{"slip", "m", "Slip, m (in) [95 %, m]", ColumnKind::length, "", true}}, {}};
     Table filled = table;
     filled.add({Estimate{0.254, {0.127, 0.508}}});
     EXPECT_NE(to_text(filled).find("Slip, in (m) [95 %, in]"), std::string::npos);

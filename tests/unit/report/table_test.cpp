@@ -28,7 +28,7 @@ Table small_table() {
   Table table{"small",
               "Two\nrows",
               {{"who", "", "Who", ColumnKind::text},
-               {"slip", "m", "Slip, m (in)", ColumnKind::length, true}},
+               {"slip", "m", "Slip, m (in)", ColumnKind::length, "", true}},
               {}};
   table.add({std::string("a, \"b\""), Estimate{0.254, {0.2, 0.3}}});
   table.add({std::string("<c>"), Estimate{std::numeric_limits<double>::quiet_NaN(), {}}});
@@ -67,13 +67,13 @@ TEST(table, breaks_no_line_between_a_number_and_its_unit_nor_after_a_sign_on_a_p
 }
 
 TEST(table, has_annual_rates_in_one_notation) {
-  const Column column{"annual_rate", "per_year", "Annual rate", ColumnKind::rate, true};
+  const Column column{"annual_rate", "per_year", "Annual rate", ColumnKind::rate, "", true};
   EXPECT_EQ(cell_text(column, Estimate{0.000164, {9.98e-05, 0.000248}}), "1.6e-4 [1.0e-4, 2.5e-4]");
   EXPECT_EQ(cell_text(column, 0.0), "0");
 }
 
 TEST(table, says_that_a_one_sided_median_is_a_lower_bound) {
-  const Column column{"median", "g", "Median", ColumnKind::number, true};
+  const Column column{"median", "g", "Median", ColumnKind::number, "", true};
   EXPECT_EQ(cell_text(column, SignedEstimate({2.0, {}}, "> ")), "> 2.00");
 }
 
@@ -90,8 +90,8 @@ TEST(table, has_the_fields_that_its_columns_declare_whatever_its_cells_hold) {
   Table table{"t",
               "T",
               {{"a", "", "A", ColumnKind::share},
-               {"b", "", "B", ColumnKind::number, true},
-               {"c", "", "C", ColumnKind::number, true},
+               {"b", "", "B", ColumnKind::number, "", true},
+               {"c", "", "C", ColumnKind::number, "", true},
                {"d", "", "D"}},
               {}};
   table.add({SignedEstimate({0.5, {}}, "< "), 0.25, std::string("-"), 4.0});

@@ -9,7 +9,7 @@
 //   InStudy    its part of StudyConfig: what its table of the study file says
 //   InResults  its part of Results: what it finds
 //   find       makes that of the histories, where the study asks for it
-//   in_files   what it has in study files and results files, which module io defines
+//   in_files   what it has in study files, which module io defines
 //   in_report  its tables, figures and sentences, which module report defines
 // and, where it needs them, of
 //   keeps      a field of the histories (KeptFields) that is kept for it

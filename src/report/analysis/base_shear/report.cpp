@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "analysis/analyses.hpp"
-#include "analysis/conditions/columns.hpp"
+#include "analysis/conditions/means.hpp"
 #include "analysis/conditions/view.hpp"
 #include "glissade/core/quantile.hpp"
 #include "glissade/report/base_shear_report.hpp"
@@ -77,7 +77,24 @@ std::string summary(const Results& results) {
          (table.rows.size() <= most_rows ? "\n" + to_text(table) : "");
 }
 
-std::vector<Table> tables(const Results& results) { return {base_shear_table(results)}; }
+constexpr const char* what =
+    "Base shear over the building's weight without the array: the suite's mean of the SRSS of the "
+    "peaks along both axes, ";
+
+MeansByCondition means_of(const Results& results) {
+  return {results,
+          ConditionColumns(results),
+          nullptr,
+          all_conditions(results.conditions->grid),
+          results.base_shear->means,
+          ColumnKind::number};
+}
+
+std::vector<Table> tables(const Results& results) {
+  return {base_shear_table(results),
+          means_by_orientation_table(means_of(results), "base_shear_by_orientation",
+                                     what + std::string("in each orientation"))};
+}
 
 Html section(const Results& results) {
   return heading("Base shear of the building") + table_or_file(base_shear_table(results));
@@ -86,25 +103,7 @@ Html section(const Results& results) {
 }  // namespace
 
 Table base_shear_table(const Results& results) {
-  const ConditionColumns conditions(results);
-  Table table{"base_shear",
-              "Base shear over the building's weight without the array: the suite's mean of the "
-              "SRSS of the peaks along both axes, over the orientations",
-              conditions.columns(),
-              {},
-              {"[ ]: 95 % interval of the median, from resampling records"}};
-  append(table.columns, range_columns(ColumnKind::number));
-  append(table.columns, {range_column("largest", "Largest history", ColumnKind::number)});
-  const std::size_t count = results.conditions->grid.count();
-  for (std::size_t i = 0; i < results.base_shear->means.size(); ++i) {
-    const SuiteMean& mean = results.base_shear->means[i];
-    std::vector<Cell> row =
-        conditions.cells(mean.suite, results.conditions->grid.position(i % count));
-    append(row, range_cells(mean.range));
-    append(row, {mean.largest});
-    table.add(std::move(row));
-  }
-  return table;
+  return means_table(means_of(results), "base_shear", what + std::string("over the orientations"));
 }
 
 std::vector<std::string> base_shear_sentences(const Results& results) {

@@ -18,12 +18,16 @@ namespace {
 constexpr auto gravity_note =
     "inf: friction cannot stop the array (tan(slope) >= mu), no clearance is enough.";
 
-Column level_column(const Results& results) { return intensity_column(results, "level", "Level"); }
-const Column slope_column = {"slope", "deg", "Slope, degrees"};
-const Column mu_column = {"mu", "", "Friction"};
+const Column slope_column = {"slope", "deg", "Slope, degrees", ColumnKind::number,
+                             "slope of the roof"};
+const Column mu_column = {"mu", "", "Friction", ColumnKind::number, "coefficient of friction"};
 
 Column length_column(const ChartStatistic& statistic) {
-  return {statistic.stem, "m", statistic.heading + ", m (in)", ColumnKind::length,
+  return {statistic.stem,
+          "m",
+          statistic.heading + ", m (in)",
+          ColumnKind::length,
+          "largest over the building periods",
           statistic.stem == "mean_slip"};
 }
 
@@ -70,12 +74,16 @@ Table chart_table(const Results& results) {
               {},
               reading_notes(results)};
   for (const ChartStatistic& s : statistics) table.columns.push_back(length_column(s));
-  table.columns.push_back({"governing_period", "s", "Governing period, s"});
-  table.columns.push_back({"free_sliding", "", "Slides freely", ColumnKind::count});
-  table.columns.push_back({"uplift_share", "", "Uplift", ColumnKind::share});
+  table.columns.push_back({"governing_period", "s", "Governing period, s", ColumnKind::number,
+                           "building period at which the mean is largest"});
+  table.columns.push_back({"free_sliding", "", "Slides freely", ColumnKind::count,
+                           "1 where friction cannot stop the array: displacements are inf"});
+  table.columns.push_back(
+      {"uplift_share", "", "Uplift", ColumnKind::share, "share of histories with uplift"});
   for (const Standard standard : standards) {
     table.columns.push_back(
-        {stem_of(standard), "m", standard_name(standard) + ", m (in)", ColumnKind::length});
+        {stem_of(standard), "m", standard_name(standard) + ", m (in)", ColumnKind::length,
+         "displacement that " + standard_name(standard) + " prescribes; nan: does not apply"});
     table.notes.push_back(standard_name(standard) + " is for " + limits_of(standard) +
                           ": empty elsewhere.");
   }
@@ -97,13 +105,17 @@ Table chart_by_period_table(const Results& results) {
   const Chart& chart = *results.chart;
   Table table{"chart_by_period",
               title_of_levels("Design chart by building period.", results),
-              {level_column(results), slope_column, mu_column, {"period", "s", "Period, s"}},
+              {level_column(results),
+               slope_column,
+               mu_column,
+               {"period", "s", "Period, s", ColumnKind::number, "building period; 0 is rigid"}},
               {},
               {how_counted(results), gravity_note}};
   std::vector<ChartStatistic> statistics = chart_statistics(results);
   if (!is_one_record(results)) statistics.erase(statistics.begin());  // of no period by itself
   for (const ChartStatistic& s : statistics)
-    table.columns.push_back({s.stem, "m", s.heading + ", m (in)", ColumnKind::length});
+    table.columns.push_back({s.stem, "m", s.heading + ", m (in)", ColumnKind::length,
+                             "over the records, at this period"});
   for (const ChartPoint& p : chart.points) {
     for (std::size_t t = 0; t < p.by_period.size(); ++t) {
       const ChartSlip& slip = p.by_period[t];
@@ -117,19 +129,20 @@ Table chart_by_period_table(const Results& results) {
 }
 
 Table chart_readings_table(const Results& results) {
-  Table table{"chart_readings",
-              title_of_levels("Read off the chart, linear in slope and friction.", results),
-              {level_column(results),
-               slope_column,
-               text_column("read_off", "Read off"),
-               text_column("statistic", "Of"),
-               mu_column,
-               {"displacement", "m", "Displacement, m (in)", ColumnKind::length}},
-              {},
-              {how_counted(results),
-               "displacement is read off at a given mu, friction (the least mu needed) at a given "
-               "displacement. mu inf: more than the chart's largest. displacement inf: "
-               "friction cannot stop the array. mu at the chart's least: that or less."}};
+  Table table{
+      "chart_readings",
+      title_of_levels("Read off the chart, linear in slope and friction.", results),
+      {level_column(results),
+       slope_column,
+       text_column("read_off", "Read off", "what is read off"),
+       text_column("statistic", "Of", "statistic that is read off"),
+       mu_column,
+       {"displacement", "m", "Displacement, m (in)", ColumnKind::length, "displacement in plan"}},
+      {},
+      {how_counted(results),
+       "displacement is read off at a given mu, friction (the least mu needed) at a given "
+       "displacement. mu inf: more than the chart's largest. displacement inf: "
+       "friction cannot stop the array. mu at the chart's least: that or less."}};
   for (const ChartReading& reading : results.chart->readings) {
     const ChartQuestion& q = reading.question;
     for (const ChartStatistic& s : chart_statistics(results)) {
@@ -170,13 +183,14 @@ Table chart_standards_table(const Results& results) {
       title_of_levels(fmt::format("Displacements prescribed by standards beside the chart at {}.",
                                   at_slope_and_friction(chart.shown_slope_deg, chart.shown_mu)),
                       results),
-      {text_column("standard", "Standard"),
-       {"sds", "g", "S_DS, g"},
-       {"prescribed", "m", "Prescribed, m (in)", ColumnKind::length},
+      {text_column("standard", "Standard", "standard"),
+       {"sds", "g", "S_DS, g", ColumnKind::number, "design spectral acceleration S_DS"},
+       {"prescribed", "m", "Prescribed, m (in)", ColumnKind::length, "prescribed displacement"},
        length_column(design),
-       {"above_share", "", "Points where more is needed", ColumnKind::share},
-       text_column("provenance", "Provision"),
-       text_column("basis", "Basis")},
+       {"above_share", "", "Points where more is needed", ColumnKind::share,
+        "share of the points to which the standard applies that need more"},
+       text_column("provenance", "Provision", "how well the provision is known"),
+       text_column("basis", "Basis", "equation or clause")},
       {},
       {"above_share: of the chart's points at this level to which the standard applies, "
        "those that need more than it prescribes."}};
@@ -207,7 +221,7 @@ Table chart_matrix_table(const Results& results, std::size_t most) {
       "chart_matrix",
       fmt::format("{}, {}, at {}: slope (down) and coefficient of friction (across)",
                   design.heading, si ? "m" : "in", at_intensity(results, chart.shown_level)),
-      {{"slope", "deg", "Slope, degrees", ColumnKind::text}},
+      {{"slope", "deg", "Slope, degrees", ColumnKind::text, "slope of the roof"}},
       {},
       {}};
   const std::vector<std::size_t> frictions = spread(chart.mu.size(), most);

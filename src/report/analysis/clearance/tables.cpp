@@ -4,55 +4,49 @@
 #include <algorithm>
 #include <cmath>
 
-#include "analysis/conditions/columns.hpp"
+#include "analysis/conditions/means.hpp"
 #include "analysis/conditions/view.hpp"
 #include "glissade/report/clearance_report.hpp"
 
 namespace glissade {
 namespace {
 
-/// A row for each mean, by (suite, place).
-Table means_table(const Results& results, Table table, const std::vector<Condition>& places,
-                  const std::vector<SuiteMean>& means) {
-  const ConditionColumns conditions(results, {ConditionAxis::period, ConditionAxis::support});
-  table.notes = {"[ ]: 95 % interval of the median, from resampling records",
-                 "bounds: with the orientation chosen record by record"};
-  std::vector<Column> columns = conditions.columns();
-  append(columns, std::move(table.columns));
-  append(columns, range_columns(ColumnKind::length));
-  append(columns, {range_column("bound_lowest", "Lower bound, m (in)"),
-                   range_column("bound_highest", "Upper bound, m (in)")});
-  table.columns = std::move(columns);
-  for (std::size_t i = 0; i < means.size(); ++i) {
-    std::vector<Cell> row = conditions.cells(means[i].suite, places[i % places.size()]);
-    append(row, {means[i].period_s});
-    append(row, range_cells(means[i].range));
-    append(row, {means[i].bounds.lowest, means[i].bounds.highest});
-    table.add(std::move(row));
-  }
-  return table;
+ConditionColumns conditions_of(const Results& results) {
+  return ConditionColumns(results, {ConditionAxis::period, ConditionAxis::support});
+}
+
+const Column governing_column{"governing_period", "s", "At T, s", ColumnKind::number,
+                              "building period at which the mean is largest; nan: drawn"},
+    period_column{"period", "s", "T, s", ColumnKind::number, "building period; nan: drawn"};
+
+MeansByCondition largest_means(const Results& results) {
+  MeansByCondition of{results,
+                      conditions_of(results),
+                      &governing_column,
+                      sliding_conditions(results.conditions->grid, Periods::largest),
+                      {}};
+  for (const RequiredClearance& required : results.clearance->required)
+    of.means.push_back(required.largest);
+  return of;
+}
+
+MeansByCondition means_by_period(const Results& results) {
+  return {results, conditions_of(results), &period_column,
+          sliding_conditions(results.conditions->grid, Periods::one), results.clearance->by_period};
 }
 
 }  // namespace
 
 Table clearance_table(const Results& results) {
-  std::vector<SuiteMean> largest;
-  for (const RequiredClearance& required : results.clearance->required)
-    largest.push_back(required.largest);
-  Table table =
-      means_table(results,
-                  {"clearances",
-                   "The suite's mean displacement, the largest over the building "
-                   "periods, over the orientations; and the clearance" +
-                       rule_text(results),
-                   {{"governing_period", "s", "At T, s"}},
-                   {},
-                   {}},
-                  sliding_conditions(results.conditions->grid, Periods::largest), largest);
-  append(table.columns, {range_column("clearance", "Clearance, m (in)"),
-                         range_column("clearance_median", "By the median, m (in)"),
-                         range_column("clearance_highest", "By the largest, m (in)")});
-  for (std::size_t i = 0; i < largest.size(); ++i) {
+  Table table = means_table(largest_means(results), "clearances",
+                            "The suite's mean displacement, the largest over the building periods, "
+                            "over the orientations; and the clearance" +
+                                rule_text(results));
+  append(table.columns,
+         {range_column("clearance", "Clearance", "required clearance by the rule"),
+          range_column("clearance_median", "By the median", "the factor on the median"),
+          range_column("clearance_highest", "By the largest", "the factor on the highest")});
+  for (std::size_t i = 0; i < table.rows.size(); ++i) {
     const RequiredClearance& required = results.clearance->required[i];
     append(table.rows[i], {required.clearance_m, required.median_m, required.highest_m});
   }
@@ -60,14 +54,17 @@ Table clearance_table(const Results& results) {
 }
 
 Table clearance_periods_table(const Results& results) {
-  return means_table(results,
-                     {"by_period",
-                      "The suite's mean displacement by building period, over the orientations",
-                      {{"period", "s", "T, s"}},
-                      {},
-                      {}},
-                     sliding_conditions(results.conditions->grid, Periods::one),
-                     results.clearance->by_period);
+  return means_table(means_by_period(results), "by_period",
+                     "The suite's mean displacement by building period, over the orientations");
+}
+
+std::vector<Table> clearance_by_orientation_tables(const Results& results) {
+  return {means_by_orientation_table(
+              means_by_period(results), "by_orientation",
+              "The suite's mean displacement by building period, in each orientation"),
+          means_by_orientation_table(largest_means(results), "clearances_by_orientation",
+                                     "The suite's mean displacement in each orientation, the "
+                                     "largest over the building periods")};
 }
 
 Table clearance_orientations_table(const Results& results) {
@@ -77,16 +74,18 @@ Table clearance_orientations_table(const Results& results) {
           results.suites.front().name + ", " +
           conditions_text(results, shown_condition(results.conditions->grid),
                           {ConditionAxis::period, ConditionAxis::support}),
-      {text_column("orientation", "Orientation"),
-       {"same_as", "", "Gives the same as", ColumnKind::count}},
+      {text_column("orientation", "Orientation", "orientation of all records"),
+       {"same_as", "", "Gives the same as", ColumnKind::count,
+        "number of the first orientation with the same histories"}},
       {},
       {}};
   for (const double period : results.conditions->grid.period_s) {
     table.columns.push_back({fmt::format("t_{:g}s", period), "m",
-                             fmt::format("T {:g} s, m (in)", period), ColumnKind::length});
+                             fmt::format("T {:g} s, m (in)", period), ColumnKind::length,
+                             "mean over the suite at this building period"});
   }
-  append(table.columns, {range_column("largest", "Largest, m (in)"),
-                         range_column("clearance", "Clearance, m (in)")});
+  append(table.columns, {range_column("largest", "Largest", "largest of the building periods"),
+                         range_column("clearance", "Clearance", "required clearance by the rule")});
   for (std::size_t o = 0; o < results.conditions->orientations.size(); ++o) {
     std::vector<Cell> row{
         fmt::format("{}: {}", o + 1,
@@ -116,6 +115,7 @@ Table clearance_histories_table(const Results& results) {
               {text_column("record", "Record"), text_column("orientation", "Orientation")},
               {},
               {}};
+  table.is_of_inputs = true;
   append(table.columns, conditions.columns());
   append(table.columns,
          {range_column("displacement", "Displacement"), range_column("vector_peak", "Vector peak"),

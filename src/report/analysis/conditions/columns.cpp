@@ -12,9 +12,10 @@
 namespace glissade {
 namespace {
 
-Column level_column(const Results& results) {
+Column condition_level_column(const Results& results) {
   const ConditionGrid& grid = results.conditions->grid;
-  if (grid.level_symbol.empty()) return {"fraction_of_mce", "", "Of MCE"};
+  if (grid.level_symbol.empty())
+    return {"fraction_of_mce", "", "Of MCE", ColumnKind::number, "intensity over the MCE"};
   const std::string suffix = unit_suffix(grid.level_unit);
   std::string names;
   for (const double level : grid.level) {
@@ -23,7 +24,8 @@ Column level_column(const Results& results) {
       names += fmt::format("{}{} {}", names.empty() ? "" : ", ", name, format_number(level));
   }
   return {"level", suffix.empty() ? "" : suffix.substr(1),
-          grid.level_symbol + (names.empty() ? "" : " (" + names + ")")};
+          grid.level_symbol + (names.empty() ? "" : " (" + names + ")"), ColumnKind::number,
+          "intensity level"};
 }
 
 }  // namespace
@@ -39,7 +41,8 @@ ConditionColumns::ConditionColumns(const Results& results, std::vector<Condition
 
 std::vector<Column> ConditionColumns::columns() const {
   std::vector<Column> columns;
-  if (results_.suites.size() > 1) columns.push_back(text_column("suite", "Suite"));
+  if (results_.suites.size() > 1)
+    columns.push_back(text_column("suite", "Suite", "name of the suite"));
   for (const ConditionAxis axis : axes_) columns.push_back(column(axis));
   return columns;
 }
@@ -56,9 +59,9 @@ Column ConditionColumns::column(ConditionAxis axis) const {
     case ConditionAxis::listed:
       return condition_column;
     case ConditionAxis::support:
-      return text_column("support", "Array");
+      return text_column("support", "Array", "how the array stands on the building");
     case ConditionAxis::vertical:
-      return text_column("vertical", "Vertical motion");
+      return text_column("vertical", "Vertical motion", "whether the vertical ground motion acts");
     case ConditionAxis::response_modification:
       return listed_column("building", "response_modification");
     case ConditionAxis::mass:
@@ -66,7 +69,7 @@ Column ConditionColumns::column(ConditionAxis axis) const {
     case ConditionAxis::slope:
       return listed_column("roof", "slope_deg");
     case ConditionAxis::level:
-      return level_column(results_);
+      return condition_level_column(results_);
     case ConditionAxis::period:
       return listed_column("building", "period_s");
   }
@@ -91,20 +94,11 @@ Cell ConditionColumns::cell(ConditionAxis axis, std::size_t place) const {
   }
 }
 
-Column range_column(const char* stem, const char* heading, ColumnKind kind) {
-  return {stem, kind == ColumnKind::length ? "m" : "", heading, kind};
-}
-
-std::vector<Column> range_columns(ColumnKind kind) {
+Column range_column(const char* stem, const char* heading, const char* description,
+                    ColumnKind kind) {
   const bool length = kind == ColumnKind::length;
-  Column median = range_column("median", length ? "Median, m (in)" : "Median", kind);
-  median.with_interval = true;
-  return {range_column("lowest", length ? "Lowest, m (in)" : "Lowest", kind), median,
-          range_column("highest", length ? "Highest, m (in)" : "Highest", kind)};
-}
-
-std::vector<Cell> range_cells(const OrientationRange& range) {
-  return {range.lowest, Estimate{range.median, range.interval}, range.highest};
+  return {stem, length ? "m" : "", heading + std::string(length ? ", m (in)" : ""), kind,
+          description};
 }
 
 }  // namespace glissade

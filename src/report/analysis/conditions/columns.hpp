@@ -24,11 +24,9 @@ class ConditionColumns {
   std::vector<ConditionAxis> axes_;
 };
 
-/// Lowest, median with its interval and highest over the orientations.
-std::vector<Column> range_columns(ColumnKind kind);
-std::vector<Cell> range_cells(const OrientationRange& range);
-/// Of one of them, or of lengths like these.
-Column range_column(const char* stem, const char* heading, ColumnKind kind = ColumnKind::length);
+/// Of a length, or another number.
+Column range_column(const char* stem, const char* heading, const char* description = "",
+                    ColumnKind kind = ColumnKind::length);
 
 template <class T>
 void append(std::vector<T>& all, std::vector<T> more) {

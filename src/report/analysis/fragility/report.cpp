@@ -254,18 +254,22 @@ std::vector<Figure> figures(const Results& results) {
 }
 
 std::vector<Table> tables(const Results& results) {
-  return {fragility_table(results), earthquakes_table(results), slip_table(results),
-          standards_table(results), stripes_table(results),     samples_table(results)};
+  return {fragility_table(results),  goodness_of_fit_table(results), fragility_band_table(results),
+          recrossing_table(results), combinations_table(results),    earthquakes_table(results),
+          slip_table(results),       standards_table(results),       stripes_table(results),
+          samples_table(results)};
 }
 
 Html section(const Results& results) {
   const Table at = shown_earthquakes_table(results);
+  Table fits = fragility_table(results);
+  for (const char* stem : {"interval_method", "fit_method", "log_likelihood"})
+    fits = fits.without(stem);
   return heading("Fragility") + wide_table(fragility_summary_table(results)) +
          (at.rows.empty() ? Html() : wide_table(at)) +
          standards_html(results, without_run_key(results, standards_table(results))) +
          heading("Slip by level") + wide_table(without_run_key(results, slip_table(results))) +
-         heading("Fits in full") +
-         wide_table(without_run_key(results, fragility_table(results).without("interval_method")));
+         heading("Fits in full") + wide_table(without_run_key(results, fits));
 }
 
 }  // namespace

@@ -37,6 +37,10 @@ SignedEstimate p50_of(const FitSummary& fit) {
 
 Estimate floor_of(const FitSummary& fit) { return {fit.curve.floor, fit.floor_interval}; }
 
+constexpr const char* median_description =
+    "median of the lognormal fragility of the histories that need shaking; of a bound: that";
+constexpr const char* p50_description = "intensity at which half of all exceed";
+
 /// Share of records of which any sample falls below the threshold again at a higher level.
 double record_recross_share(const ThresholdFragility& fragility) {
   const std::vector<double>& recross = fragility.record_recross;
@@ -50,7 +54,7 @@ void add_fragility_row(Table& table, const RunResults& run, const ThresholdFragi
   table.add({run.label, fragility.threshold_m, method, median_of(fit), log_std_of(fit),
              to_string(fit.status), p_cell(fragility.lognormal.p_value), fragility.recross_share,
              record_recross_share(fragility), fragility.censored_share, floor_of(fit), p50_of(fit),
-             fit.interval_method, fit.note});
+             fit.interval_method, fit.note, fit.method, fit.log_likelihood});
 }
 
 /// How the median came about, for people.
@@ -105,23 +109,113 @@ Table fragility_table(const Results& results) {
           measured_by(results) + "log_std and shares are dimensionless. " + in_plan(results),
       {run_column,
        threshold_column,
-       text_column("method", "Fitted on"),
-       intensity_column(results, "median", "Median", true),
-       {"log_std", "", "Log std [95 %]", ColumnKind::number, true},
-       text_column("status", "Fit"),
-       {"lognormal_p", "", "Lognormal, p"},
-       {"recross_share", "", "Histories that recross", ColumnKind::share},
-       {"record_recross_share", "", "Records that recross", ColumnKind::share},
-       {"censored_share", "", "Never reached", ColumnKind::share},
-       {"free_sliding_share", "", "Slides freely, p0 [95 %]", ColumnKind::share, true},
-       intensity_column(results, "p50", "p50", true),
-       text_column("interval_method", "Intervals by"),
-       text_column("note", "Note")},
+       text_column("method", "Fitted on", "which of the two fits: on stripes or on capacities"),
+       intensity_column(results, "median", "Median", median_description, true),
+       {"log_std", "", "Log std [95 %]", ColumnKind::number,
+        "logarithmic standard deviation; of a bound: as assumed", true},
+       text_column("status", "Fit", "how the fit came out"),
+       {"lognormal_p", "", "Lognormal, p", ColumnKind::number,
+        "goodness of fit of the lognormal, p; nan: no test"},
+       {"recross_share", "", "Histories that recross", ColumnKind::share,
+        "share of histories that reach the threshold and fall below it again at a higher level"},
+       {"record_recross_share", "", "Records that recross", ColumnKind::share,
+        "share of records of which any history recrosses"},
+       {"censored_share", "", "Never reached", ColumnKind::share,
+        "share of histories that never reach the threshold"},
+       {"free_sliding_share", "", "Slides freely, p0 [95 %]", ColumnKind::share,
+        "p0, the share that slides without shaking", true},
+       intensity_column(results, "p50", "p50", p50_description, true),
+       text_column("interval_method", "Intervals by", "how the intervals were found"),
+       text_column("note", "Note", "remarks on the fit"),
+       text_column("fit_method", "Method", "how it was fitted"),
+       {"log_likelihood", "", "Log likelihood", ColumnKind::number, "logarithm of the likelihood"}},
       {}};
   for (const RunResults& run : results.runs) {
     for (const ThresholdFragility& fragility : run.fragilities) {
       add_fragility_row(table, run, fragility, "stripes", fragility.stripes);
       add_fragility_row(table, run, fragility, "capacities", fragility.capacities);
+    }
+  }
+  return with_listed(results, table);
+}
+
+Table combinations_table(const Results& results) {
+  Table table{
+      "combinations",
+      "The combinations of what the study lists, with what friction is.",
+      {run_column,
+       text_column("friction_is", "Friction", "what friction is"),
+       {"first_case", "", "First case", ColumnKind::count,
+        "position of its first in `cases` and in `histories`"},
+       {"cases", "", "Cases", ColumnKind::count, "number of its cases: samples x orientations"}},
+      {}};
+  for (const RunResults& run : results.runs)
+    table.add({run.label, run.friction_description, static_cast<double>(run.first_case),
+               static_cast<double>(run.cases)});
+  return with_listed(results, table);
+}
+
+Table goodness_of_fit_table(const Results& results) {
+  Table table{
+      "goodness_of_fit",
+      "The lognormal beside the capacities. " + in_plan(results),
+      {run_column,
+       threshold_column,
+       {"p_value", "", "Goodness of fit, p", ColumnKind::number,
+        "goodness of fit of the lognormal; nan: no test"},
+       {"distance", "", "Distance", ColumnKind::number,
+        "Cramer-von Mises distance of capacities and curve"},
+       {"correlation", "", "Correlation in a record", ColumnKind::number,
+        "correlation of the normal scores of a record's capacities"},
+       {"largest_gap", "", "Observed - curve", ColumnKind::number,
+        "largest difference of observed share and curve"},
+       intensity_column(results, "gap_at", "there", "intensity at which the gap is largest")},
+      {}};
+  for (const RunResults& run : results.runs) {
+    for (const ThresholdFragility& fragility : run.fragilities) {
+      const GoodnessOfFit& fit = fragility.lognormal;
+      table.add({run.label, fragility.threshold_m, p_cell(fit.p_value), fit.distance,
+                 fit.correlation, fit.largest_gap, fit.gap_intensity});
+    }
+  }
+  return with_listed(results, table);
+}
+
+Table fragility_band_table(const Results& results) {
+  Table table{"fragility_band",
+              "The fit on capacities by intensity, with its 95 % band." + measured_by(results) +
+                  in_plan(results),
+              {run_column,
+               threshold_column,
+               intensity_column(results, "intensity", "Intensity", "intensity"),
+               {"probability", "", "Probability [95 %]", ColumnKind::share,
+                "of exceeding the threshold, by the fit on capacities", true}},
+              {}};
+  for (const RunResults& run : results.runs) {
+    for (const ThresholdFragility& fragility : run.fragilities) {
+      for (std::size_t i = 0; i < fragility.band.size(); ++i) {
+        const double intensity = run.band_intensities[i];
+        table.add({run.label, fragility.threshold_m, intensity,
+                   Estimate{fragility.capacities.curve.probability(intensity), fragility.band[i]}});
+      }
+    }
+  }
+  return with_listed(results, table);
+}
+
+Table recrossing_table(const Results& results) {
+  Table table{"recrossing",
+              "Records of which any history reaches the threshold and falls below it again at a "
+              "higher level." +
+                  measured_by(results) + in_plan(results),
+              {run_column, threshold_column, text_column("record", "Record", "id of the record")},
+              {}};
+  for (const RunResults& run : results.runs) {
+    for (const ThresholdFragility& fragility : run.fragilities) {
+      for (std::size_t r = 0; r < fragility.record_recross.size(); ++r) {
+        if (fragility.record_recross[r] > 0.0)
+          table.add({run.label, fragility.threshold_m, results.records[r].id});
+      }
     }
   }
   return with_listed(results, table);
@@ -137,19 +231,23 @@ std::vector<std::string> friction_names(const Results& results) {
 }
 
 Table fragility_summary_table(const Results& results) {
-  Table table{"fragility_summary",
-              "Fragility by clearance: intensity with a 50 % chance of exceedance." +
-                  measured_by(results) + in_plan(results),
-              {run_column,
-               threshold_column,
-               intensity_column(results, "median", "Median", true),
-               {"log_std", "", "Log std [95 %]", ColumnKind::number, true},
-               {"free_sliding_share", "", "Slides freely, p0", ColumnKind::share},
-               intensity_column(results, "p50", "50 % of all at", true),
-               {"censored_share", "", "Never reached", ColumnKind::share},
-               text_column("method", "Fitted on"),
-               text_column("status", "Fit")},
-              {}};
+  Table table{
+      "fragility_summary",
+      "Fragility by clearance: intensity with a 50 % chance of exceedance." + measured_by(results) +
+          in_plan(results),
+      {run_column,
+       threshold_column,
+       intensity_column(results, "median", "Median", median_description, true),
+       {"log_std", "", "Log std [95 %]", ColumnKind::number,
+        "logarithmic standard deviation; of a bound: as assumed", true},
+       {"free_sliding_share", "", "Slides freely, p0", ColumnKind::share,
+        "p0, the share that slides without shaking"},
+       intensity_column(results, "p50", "50 % of all at", p50_description, true),
+       {"censored_share", "", "Never reached", ColumnKind::share,
+        "share of histories that never reach the threshold"},
+       text_column("method", "Fitted on", "which of the two fits: on stripes or on capacities"),
+       text_column("status", "Fit", "how the fit came out")},
+      {}};
   double least_floor = 1.0, largest_floor = 0.0;
   for (const RunResults& run : results.runs) {
     for (const ThresholdFragility& fragility : run.fragilities) {
@@ -189,7 +287,8 @@ Table earthquakes_table(const Results& results) {
     table.columns.push_back({name == "DBE" ? "dbe_probability" : "mce_probability", "",
                              fmt::format("At the {}, {} [95 %]", name,
                                          with_unit(results, level_number(results.levels[level]))),
-                             ColumnKind::share, true});
+                             ColumnKind::share, "share of the histories that exceed the threshold",
+                             true});
   }
   if (named.empty()) return table;
   table.title =
@@ -212,13 +311,18 @@ Table slip_table(const Results& results) {
       "slip",
       "Peak slip over records and samples, by level." + measured_by(results) + in_plan(results),
       {run_column,
-       intensity_column(results, "level", "Level"),
-       {"median_slip", "m", "Median, m (in) [95 %, m]", ColumnKind::length, true},
-       {"p84_slip", "m", "84th percentile, m (in) [95 %, m]", ColumnKind::length, true},
-       {"p95_slip", "m", "95th percentile, m (in)", ColumnKind::length},
-       {"mean_slip", "m", "Mean, m (in) [95 %, m]", ColumnKind::length, true},
-       {"mean_vector", "m", "Mean longest vector, m (in)", ColumnKind::length},
-       {"uplift_share", "", "Uplift", ColumnKind::share}},
+       level_column(results),
+       {"median_slip", "m", "Median, m (in) [95 %, m]", ColumnKind::length,
+        "median peak displacement in plan", true},
+       {"p84_slip", "m", "84th percentile, m (in) [95 %, m]", ColumnKind::length,
+        "84th percentile of the peak displacement in plan", true},
+       {"p95_slip", "m", "95th percentile, m (in)", ColumnKind::length,
+        "95th percentile of the peak displacement in plan"},
+       {"mean_slip", "m", "Mean, m (in) [95 %, m]", ColumnKind::length,
+        "mean peak displacement in plan", true},
+       {"mean_vector", "m", "Mean longest vector, m (in)", ColumnKind::length,
+        "mean of the longest displacement vectors"},
+       {"uplift_share", "", "Uplift", ColumnKind::share, "share of histories with uplift"}},
       {}};
   bool two_axes = false;
   for (const RunResults& run : results.runs) {
@@ -240,10 +344,12 @@ Table stripes_table(const Results& results) {
           measured_by(results) + in_plan(results),
       {run_column,
        threshold_column,
-       intensity_column(results, "level", "Level"),
-       {"histories", "", "Histories", ColumnKind::count},
-       {"exceedances", "", "Exceedances", ColumnKind::count},
-       {"share", "", "Share [95 %]", ColumnKind::share, true}},
+       level_column(results),
+       {"histories", "", "Histories", ColumnKind::count, "number of histories"},
+       {"exceedances", "", "Exceedances", ColumnKind::count,
+        "number of histories that exceed the threshold"},
+       {"share", "", "Share [95 %]", ColumnKind::share,
+        "share of histories that exceed the threshold", true}},
       {}};
   for (const RunResults& run : results.runs) {
     const double histories = histories_per_level(results, run);

@@ -28,6 +28,8 @@ std::string life_text(const HazardResults& hazard);
 const char* sign_of(const ThresholdRate& row);
 /// Per run and threshold, or of one threshold.
 Table hazard_table(const Results& results, std::optional<double> threshold_m = {});
+/// The points of the hazard curve itself.
+Table hazard_ground_table(const Results& results);
 /// Per run and displacement: a curve each.
 Table hazard_curve_table(const Results& results);
 /// Per run and target rate.

@@ -171,7 +171,8 @@ std::string summary(const Results& results) {
 std::vector<Table> tables(const Results& results) {
   return {hazard_table(results),       hazard_targets_table(results),
           design_life_table(results),  life_distribution_table(results),
-          hazard_curve_table(results), hazard_standards_table(results)};
+          hazard_curve_table(results), hazard_standards_table(results),
+          hazard_ground_table(results)};
 }
 
 Html section(const Results& results) {

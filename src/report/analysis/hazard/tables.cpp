@@ -22,8 +22,24 @@ Estimate period_of(const Estimate& rate) {
   return {1.0 / rate.value, {1.0 / rate.interval.high, 1.0 / rate.interval.low}};
 }
 
-const Column below_column{"below_share", "", "Below levels", ColumnKind::share, false, -1, true},
-    moving_column{"moving_share", "", "Moving", ColumnKind::share, false, -1, true};
+const Column below_column{
+    "below_share",
+    "",
+    "Below levels",
+    ColumnKind::share,
+    "share of histories that exceed it at the lowest level; above 0: a lower bound",
+    false,
+    -1,
+    true},
+    moving_column{"moving_share",
+                  "",
+                  "Moving",
+                  ColumnKind::share,
+                  "share of histories that slide at the intensity below which none counts; above "
+                  "0: a lower bound",
+                  false,
+                  -1,
+                  true};
 
 /// with_listed, and what the sign of a lower bound says where there is one.
 Table with_bounds(const Results& results, Table table) {
@@ -80,18 +96,23 @@ std::string rate_text(double annual_rate) {
 
 Table hazard_table(const Results& results, std::optional<double> threshold_m) {
   const HazardResults& hazard = *results.hazard;
-  Table table{
-      "hazard",
-      "How often each clearance is exceeded." + by_curve(results) + in_plan(results),
-      {run_column,
-       threshold_column,
-       {"annual_rate", "per_year", "Annual rate [95 %]", ColumnKind::rate, true},
-       {"return_period", "years", "Return period, years [95 %]", ColumnKind::number, true},
-       {"life_probability", "", "In " + life_text(hazard) + " [95 %]", ColumnKind::share, true},
-       {"probability_50_years", "", "In 50 years", ColumnKind::share, false, -1, true},
-       {"beyond_share", "", "Beyond levels", ColumnKind::share},
-       {"fit_rate", "per_year", "Annual rate by the lognormal fit", ColumnKind::rate}},
-      {}};
+  Table table{"hazard",
+              "How often each clearance is exceeded." + by_curve(results) + in_plan(results),
+              {run_column,
+               threshold_column,
+               {"annual_rate", "per_year", "Annual rate [95 %]", ColumnKind::rate,
+                "annual rate of exceedance; inf: slides freely", true},
+               {"return_period", "years", "Return period, years [95 %]", ColumnKind::number,
+                "1 over the annual rate", true},
+               {"life_probability", "", "In " + life_text(hazard) + " [95 %]", ColumnKind::share,
+                "probability of one exceedance or more in the design life", true},
+               {"probability_50_years", "", "In 50 years", ColumnKind::share,
+                "probability of one exceedance or more in 50 years", false, -1, true},
+               {"beyond_share", "", "Beyond levels", ColumnKind::share,
+                "part of the rate from histories that do not reach it at the highest level"},
+               {"fit_rate", "per_year", "Annual rate by the lognormal fit", ColumnKind::rate,
+                "annual rate by the lognormal fit; nan: no fit"}},
+              {}};
   table.columns.back().detail = true;
   for (const HazardRun& run : hazard.runs) {
     for (const ThresholdRate& row : run.thresholds) {
@@ -111,12 +132,30 @@ Table hazard_table(const Results& results, std::optional<double> threshold_m) {
   return with_listed(results, table);
 }
 
+Table hazard_ground_table(const Results& results) {
+  const HazardResults& hazard = *results.hazard;
+  Table table{
+      "hazard_ground",
+      fmt::format("Points of the hazard curve {}; shaking above the highest level: {:.3g} a year.",
+                  curve_name(hazard), hazard.beyond_rate),
+      {intensity_column(results, "intensity", "Intensity", "intensity"),
+       {"annual_rate", "per_year", "Annual rate", ColumnKind::rate,
+        "annual rate of shaking above the intensity"}},
+      {},
+      {}};
+  for (std::size_t i = 0; i < hazard.intensity.size(); ++i)
+    table.add({hazard.intensity[i], hazard.intensity_rate[i]});
+  return table;
+}
+
 Table hazard_curve_table(const Results& results) {
   Table table{"hazard_curve",
               "Annual rate of exceeding a displacement." + by_curve(results) + in_plan(results),
               {run_column,
-               {"displacement", "m", "Displacement, m (in)", ColumnKind::length},
-               {"annual_rate", "per_year", "Annual rate [95 %]", ColumnKind::rate, true},
+               {"displacement", "m", "Displacement, m (in)", ColumnKind::length,
+                "displacement in plan; inf: beyond the levels, nan: below them"},
+               {"annual_rate", "per_year", "Annual rate [95 %]", ColumnKind::rate,
+                "annual rate of exceedance; inf: slides freely", true},
                below_column},
               {}};
   for (const HazardRun& run : results.hazard->runs) {
@@ -132,11 +171,15 @@ Table hazard_targets_table(const Results& results) {
               "Displacement that is exceeded at a given annual rate." + by_curve(results) +
                   in_plan(results),
               {run_column,
-               text_column("target", "Rate"),
-               {"annual_rate", "per_year", "Annual rate", ColumnKind::rate},
-               {"probability_50_years", "", "In 50 years", ColumnKind::share},
-               {"displacement", "m", "Displacement, m (in) [95 %, m]", ColumnKind::length, true},
-               intensity_column(results, "intensity", "Shaking of that rate"),
+               text_column("target", "Rate", "the annual rate in words"),
+               {"annual_rate", "per_year", "Annual rate", ColumnKind::rate,
+                "annual rate of exceedance; inf: slides freely"},
+               {"probability_50_years", "", "In 50 years", ColumnKind::share,
+                "probability of one exceedance or more in 50 years"},
+               {"displacement", "m", "Displacement, m (in) [95 %, m]", ColumnKind::length,
+                "displacement in plan; inf: beyond the levels, nan: below them", true},
+               intensity_column(results, "intensity", "Shaking of that rate",
+                                "intensity that shaking exceeds at that rate"),
                below_column},
               {}};
   for (const HazardRun& run : results.hazard->runs) {
@@ -149,21 +192,26 @@ Table hazard_targets_table(const Results& results) {
 }
 
 Table hazard_standards_table(const Results& results) {
-  Table table{"hazard_standards",
-              "How often the displacements that standards prescribe at the S_DS of the site are "
-              "exceeded, beside the displacement that is exceeded with 1 % in 50 years." +
-                  by_curve(results) + in_plan(results),
-              {run_column,
-               text_column("standard", "Standard"),
-               text_column("provision", "Provision"),
-               {"sds", "g", "S_DS, g"},
-               {"prescribed", "m", "Prescribed, m (in)", ColumnKind::length},
-               {"annual_rate", "per_year", "Annual rate [95 %]", ColumnKind::rate, true},
-               {"probability_50_years", "", "In 50 years", ColumnKind::share},
-               {"risk_targeted", "m", "1 % in 50 years, m (in)", ColumnKind::length},
-               {"ratio", "", "That over prescribed"},
-               below_column},
-              {}};
+  Table table{
+      "hazard_standards",
+      "How often the displacements that standards prescribe at the S_DS of the site are "
+      "exceeded, beside the displacement that is exceeded with 1 % in 50 years." +
+          by_curve(results) + in_plan(results),
+      {run_column,
+       text_column("standard", "Standard", "standard"),
+       text_column("provision", "Provision", "how well the provision is known"),
+       {"sds", "g", "S_DS, g", ColumnKind::number, "design spectral acceleration S_DS"},
+       {"prescribed", "m", "Prescribed, m (in)", ColumnKind::length, "prescribed displacement"},
+       {"annual_rate", "per_year", "Annual rate [95 %]", ColumnKind::rate,
+        "annual rate of exceedance; inf: slides freely", true},
+       {"probability_50_years", "", "In 50 years", ColumnKind::share,
+        "probability of one exceedance or more in 50 years"},
+       {"risk_targeted", "m", "1 % in 50 years, m (in)", ColumnKind::length,
+        "displacement that is exceeded with 1 % in 50 years"},
+       {"ratio", "", "That over prescribed", ColumnKind::number,
+        "displacement exceeded with 1 % in 50 years over the prescribed one"},
+       below_column},
+      {}};
   for (const HazardRun& run : results.hazard->runs) {
     const TargetDisplacement target = target_displacement(rate_of(0.01, 50.0), run);
     const double target_m = target.displacement_m.value;
@@ -179,17 +227,19 @@ Table hazard_standards_table(const Results& results) {
 }
 
 Table life_distribution_table(const Results& results) {
-  Table table{"design_life_distribution",
-              "Slip over " + life_text(*results.hazard) + ", " + not_returned +
-                  ": what it stays below in a share of the design lives." + by_curve(results) +
-                  in_plan(results),
-              {run_column,
-               text_column("quantity", "Slip"),
-               {"probability", "", "Share of the lives", ColumnKind::share},
-               {"displacement", "m", "Displacement, m (in)", ColumnKind::length},
-               moving_column},
-              {},
-              {kept_over_life}};
+  Table table{
+      "design_life_distribution",
+      "Slip over " + life_text(*results.hazard) + ", " + not_returned +
+          ": what it stays below in a share of the design lives." + by_curve(results) +
+          in_plan(results),
+      {run_column,
+       text_column("quantity", "Slip", "what of a design life"),
+       {"probability", "", "Share of the lives", ColumnKind::share, "share of the design lives"},
+       {"displacement", "m", "Displacement, m (in)", ColumnKind::length,
+        "displacement in plan; inf: beyond the levels, nan: below them"},
+       moving_column},
+      {},
+      {kept_over_life}};
   for (const HazardRun& run : results.hazard->runs)
     for (const LifeQuantile& row : run.life_distribution)
       table.add({run.label, quantity_name(row.quantity), row.probability,
@@ -208,7 +258,7 @@ Table shown_design_life_table(const Results& results) {
   for (const LifeDisplacement& row : hazard.runs.front().life) {
     table.columns.push_back({"p95_" + std::to_string(table.columns.size()), "m",
                              capitalised(quantity_name(row.quantity)) + ", m (in) [95 %, m]",
-                             ColumnKind::length, true});
+                             ColumnKind::length, "", true});
   }
   for (const HazardRun& run : hazard.runs) {
     std::vector<Cell> row{run.label};
@@ -234,18 +284,26 @@ Table design_life_table(const Results& results) {
               "Slip over " + life_text(*results.hazard) + ", " + not_returned + "." +
                   by_curve(results) + in_plan(results),
               {run_column,
-               text_column("quantity", "Slip"),
-               {"median", "m", "Median, m (in) [95 %, m]", ColumnKind::length, true},
-               {"p84", "m", "84th percentile, m (in) [95 %, m]", ColumnKind::length, true},
-               {"p95", "m", "95th percentile, m (in) [95 %, m]", ColumnKind::length, true},
-               moving_column},
+               text_column("quantity", "Slip", "what of a design life"),
+               {"median", "m", "Median, m (in) [95 %, m]", ColumnKind::length,
+                "median over design lives", true},
+               {"p84", "m", "84th percentile, m (in) [95 %, m]", ColumnKind::length,
+                "84th percentile over design lives", true},
+               {"p95", "m", "95th percentile, m (in) [95 %, m]", ColumnKind::length,
+                "95th percentile over design lives", true},
+               moving_column,
+               {"events", "", "Earthquakes", ColumnKind::number,
+                "expected earthquakes of a design life above from_intensity", false, -1, true},
+               intensity_column(results, "from_intensity", "above",
+                                "intensity below which no earthquake is counted")},
               {},
               {kept_over_life}};
   for (const HazardRun& run : results.hazard->runs) {
     const double below = run.moving_share;
     for (const LifeDisplacement& row : run.life)
       table.add({run.label, quantity_name(row.quantity), at_least(row.median_m, below),
-                 at_least(row.p84_m, below), at_least(row.p95_m, below), below});
+                 at_least(row.p84_m, below), at_least(row.p95_m, below), below, run.events,
+                 run.from_intensity});
   }
   return with_bounds(results, std::move(table));
 }

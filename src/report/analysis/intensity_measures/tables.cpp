@@ -39,22 +39,28 @@ Table intensity_measures_table(const Results& results) {
           in_plan(results),
       {run_column,
        threshold_column,
-       text_column("measure", "Intensity measure"),
-       {"dispersion", "", "Dispersion [95 %]", ColumnKind::number, true},
-       {"smallest_share", "", "Ranks first in", ColumnKind::share},
-       {"magnitude_slope", "", "Slope on M"},
-       {"magnitude_p", "", "p"},
-       {"distance_slope", "", "Slope on ln R"},
-       {"distance_p", "", "p"},
-       {"censored_records", "", "Records not reached", ColumnKind::count}},
+       text_column("measure", "Intensity measure", "intensity measure, or two"),
+       {"dispersion", "", "Dispersion [95 %]", ColumnKind::number,
+        "standard deviation of the records' ln capacity in it", true},
+       {"smallest_share", "", "Ranks first in", ColumnKind::share,
+        "share of the resamples of the records in which it ranks first"},
+       {"magnitude_slope", "", "Slope on M", ColumnKind::number,
+        "slope of ln capacity on magnitude; nan: not known"},
+       {"magnitude_p", "", "p", ColumnKind::number, "p-value of the slope"},
+       {"distance_slope", "", "Slope on ln R", ColumnKind::number,
+        "slope of ln capacity on ln distance; nan: not known"},
+       {"distance_p", "", "p", ColumnKind::number, "p-value of the slope"},
+       {"censored_records", "", "Records not reached", ColumnKind::count,
+        "records of which half do not reach the threshold"},
+       {"is_pair", "", "Two measures", ColumnKind::count, "1: of two measures"}},
       {}};
   for (Column& column : table.columns)
     column.detail = column.stem == "magnitude_slope" || column.stem == "distance_slope" ||
-                    column.stem == "censored_records";
+                    column.stem == "censored_records" || column.stem == "is_pair";
   for (const RankedMeasure& row : *results.intensity_measures)
     table.add({results.runs[row.run].label, row.threshold_m, row.name, row.dispersion,
                row.smallest_share, row.magnitude_slope, row.magnitude_p, row.distance_slope,
-               row.distance_p, static_cast<double>(row.censored_records)});
+               row.distance_p, static_cast<double>(row.censored_records), row.pair ? 1.0 : 0.0});
   table.notes = {
       "Ranks first in: that share of the resamples of the records; equal measures do so together. "
       "Ties: where intervals overlap and none ranks first in nearly all resamples, these records "

@@ -19,21 +19,27 @@ constexpr double least = 1e-7;
 std::string small(double probability) { return fmt::format("{:.2g}", probability); }
 
 Table rare_table(const Results& results) {
-  Table table{
-      "rare",
-      "Probability, given the level, that slip reaches the threshold",
-      {condition_column,
-       threshold_column,
-       intensity_column(results, "level", "Level"),
-       text_column("estimate", "Probability"),
-       text_column("samples", "95 %, samples"),
-       text_column("records", "95 %, records"),
-       {"effective_samples", "", "Effective number of samples", ColumnKind::number, false, -1,
-        true},
-       {"effective_records", "", "Effective number of records"},
-       {"plain_samples", "", "Plain Monte Carlo samples", ColumnKind::number, false, -1, true},
-       {"probability", "", "Probability", ColumnKind::number, true, -1, true}},
-      {}};
+  Table table{"rare",
+              "Probability, given the level, that slip reaches the threshold",
+              {condition_column,
+               threshold_column,
+               level_column(results),
+               text_column("estimate", "Probability", "probability, as text"),
+               text_column("samples", "95 %, samples",
+                           "95 % interval of the samples, on these records, as text"),
+               text_column("records", "95 %, records", "95 % interval over records, as text"),
+               {"effective_samples", "", "Effective number of samples", ColumnKind::number,
+                "number of samples that carry the probability", false, -1, true},
+               {"effective_records", "", "Effective number of records", ColumnKind::number,
+                "number of records that carry the probability"},
+               {"plain_samples", "", "Plain Monte Carlo samples", ColumnKind::number,
+                "samples of plain Monte Carlo with the same sampling error", false, -1, true},
+               {"probability", "", "Probability", ColumnKind::number,
+                "probability that displacement reaches the threshold; interval over records", true,
+                -1, true},
+               {"sampled_probability", "", "the same, samples", ColumnKind::number,
+                "probability; interval of the samples, on these records", true, -1, true}},
+              {}};
   const auto range = [](const Interval& i) {
     return std::isnan(i.low) ? std::string("-") : small(i.low) + " to " + small(i.high);
   };
@@ -41,7 +47,8 @@ Table rare_table(const Results& results) {
     table.add({row.condition, row.threshold_m, row.level, small(row.probability),
                range(row.sampling_interval), range(row.record_interval), row.effective_samples,
                row.effective_records, row.plain_samples,
-               Estimate{row.probability, row.record_interval}});
+               Estimate{row.probability, row.record_interval},
+               Estimate{row.probability, row.sampling_interval}});
   table.notes = {
       "Samples: interval from independent scrambles, on these records. Records: bootstrap over "
       "records.",
@@ -50,6 +57,19 @@ Table rare_table(const Results& results) {
                   "not known (-); with few of the records the interval over records is too narrow.",
                   least_effective_samples),
       "Plain Monte Carlo samples: as many would be required for the same sampling error."};
+  return table;
+}
+
+Table weights_table(const Results& results) {
+  Table table{"rare_weights",
+              "Weights of the samples, which are drawn from wider distributions",
+              {{"sample", "", "Sample", ColumnKind::count, "position of the sample"},
+               {"weight", "", "Weight", ColumnKind::number,
+                "probability over that of the widened distributions"}},
+              {},
+              {}};
+  for (const double weight : results.rare->weights)
+    table.add({static_cast<double>(table.rows.size()), weight});
   return table;
 }
 
@@ -132,8 +152,9 @@ Html section(const Results& results) {
   return heading("Small probabilities") + wide_table(rare_table(results)) +
          paragraph(fmt::format(
              "Samples of quantities without bounds are from distributions whose standard normal "
-             "numbers are {:g} times those of the study; weights (results.h5, /rare/weight) make "
-             "up for it. Friction, slip and other numbers in results.h5 are those of the samples.",
+             "numbers are {:g} times those of the study; weights (tables/rare_weights.csv) "
+             "make up for it. Friction, slip and other numbers in results.h5 are those of the "
+             "samples.",
              results.rare->widening));
 }
 
@@ -160,14 +181,37 @@ std::vector<std::string> error_sentences(const Results& results) {
   return sentences;
 }
 
+/// Without rows where the study states no target_error.
+Table reached_target_table(const Results& results) {
+  Table table{
+      "sampling_target",
+      "Where a run with sampling.target_error ended",
+      {{"target_error", "", "Target", ColumnKind::share, "sampling.target_error"},
+       {"error", "", "Reached", ColumnKind::share,
+        "largest half of the 95 % interval of a median, of the samples alone, over it"},
+       {"scrambles", "", "Scrambles", ColumnKind::count, "number of scrambles that were run"},
+       {"most_scrambles", "", "At most", ColumnKind::count, "sampling.scrambles"}},
+      {},
+      {}};
+  if (results.reached_target) {
+    const ReachedTarget& target = *results.reached_target;
+    table.add({target.target_error, target.error, static_cast<double>(target.scrambles),
+               static_cast<double>(target.most_scrambles)});
+  }
+  return table;
+}
+
 Table sampling_error_table(const Results& results) {
   Table table{"sampling_error",
               "Standard errors of the median capacity",
-              {text_column("run", "Friction"),
+              {text_column("run", "Friction", "label of the combination"),
                threshold_column,
-               intensity_column(results, "median", "Median"),
-               {"record_error", "", "Of the records", ColumnKind::share},
-               {"sampling_error", "", "Of the samples", ColumnKind::share}},
+               intensity_column(results, "median", "Median",
+                                "median of the fit on capacities; nan: not fitted"),
+               {"record_error", "", "Of the records", ColumnKind::share,
+                "standard error of ln median from the number of records"},
+               {"sampling_error", "", "Of the samples", ColumnKind::share,
+                "standard error of ln median from the samples"}},
               {}};
   for (const SamplingErrorRow& row : results.sampling_errors)
     table.add({row.label, row.threshold_m, row.median, row.record_error, row.sampling_error});
@@ -181,25 +225,30 @@ AnalysisReport RareAnalysis::in_report() {
           .summary = summary,
           .sentences = sentences,
           .figures = [](const Results& results) { return std::vector{rare_figure(results)}; },
-          .tables = [](const Results& results) { return std::vector{rare_table(results)}; },
+          .tables =
+              [](const Results& results) {
+                return std::vector{rare_table(results), weights_table(results)};
+              },
           .section = section};
 }
 
 AnalysisReport SamplingErrorAnalysis::in_report() {
-  return {
-      .is_in = [](const Results& results) { return !results.sampling_errors.empty(); },
-      .summary =
-          [](const Results& results) {
-            return to_text(sampling_error_table(results)) + "\n" +
-                   paragraphs(error_sentences(results));
-          },
-      .sentences = error_sentences,
-      .tables = [](const Results& results) { return std::vector{sampling_error_table(results)}; },
-      .section =
-          [](const Results& results) {
-            return heading("Error of the samples, error of the records") +
-                   wide_table(sampling_error_table(results));
-          }};
+  return {.is_in = [](const Results& results) { return !results.sampling_errors.empty(); },
+          .summary =
+              [](const Results& results) {
+                return to_text(sampling_error_table(results)) + "\n" +
+                       paragraphs(error_sentences(results));
+              },
+          .sentences = error_sentences,
+          .tables =
+              [](const Results& results) {
+                return std::vector{sampling_error_table(results), reached_target_table(results)};
+              },
+          .section =
+              [](const Results& results) {
+                return heading("Error of the samples, error of the records") +
+                       wide_table(sampling_error_table(results));
+              }};
 }
 
 }  // namespace glissade

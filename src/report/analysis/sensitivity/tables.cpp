@@ -15,8 +15,37 @@ std::vector<Cell> share_cells(const SpreadRow& row, std::size_t factor) {
           Estimate{row.total[factor], row.total_interval[factor]}};
 }
 
-const Column first_column{"first", "", "Alone [95 %]", ColumnKind::share, true};
-const Column total_column{"total", "", "With interactions [95 %]", ColumnKind::share, true};
+const Column first_column{"first", "", "Alone [95 %]", ColumnKind::share, "first-order Sobol index",
+                          true};
+const Column total_column{
+    "total", "", "With interactions [95 %]", ColumnKind::share, "total Sobol index", true};
+
+const Column mean_column{"mean", "", "Mean", ColumnKind::number, "mean of ln capacity",
+                         false,  -1, true},
+    std_column{"std",
+               "",
+               "Standard deviation",
+               ColumnKind::number,
+               "standard deviation over records and samples",
+               false,
+               -1,
+               true},
+    record_error_column{"record_error",
+                        "",
+                        "Its error by records",
+                        ColumnKind::number,
+                        "standard error of the mean from the number of records",
+                        false,
+                        -1,
+                        true},
+    sample_error_column{"sample_error",
+                        "",
+                        "by samples",
+                        ColumnKind::number,
+                        "standard error of the mean from as many independent samples",
+                        false,
+                        -1,
+                        true};
 
 std::vector<std::string> notes_on(const SensitivityResults& found) {
   const std::string alone =
@@ -58,18 +87,25 @@ Table spread_table(const Results& results) {
               "Where the spread of ln capacity comes from: shares of its variance",
               {condition_column,
                threshold_column,
-               {"log_std", "", "Log std"},
-               text_column("factor", "Factor"),
+               {"log_std", "", "Log std", ColumnKind::number,
+                "standard deviation of ln capacity over records and samples"},
+               text_column("factor", "Factor", "what the spread comes from"),
                first_column,
                total_column,
-               {"share_below", "", "At the lowest level", ColumnKind::share},
-               {"share_above", "", "At the highest level", ColumnKind::share}},
+               {"share_below", "", "At the lowest level", ColumnKind::share,
+                "share of capacities limited to the lowest level"},
+               {"share_above", "", "At the highest level", ColumnKind::share,
+                "share of capacities limited to the highest level"},
+               mean_column,
+               record_error_column,
+               sample_error_column},
               {}};
   for (const SpreadRow* row : capacity_rows(found)) {
     for (std::size_t f = 0; f < found.factors.size(); ++f) {
       std::vector<Cell> cells{row->condition, row->threshold_m, row->std, found.factors[f]};
       for (Cell& cell : share_cells(*row, f)) cells.push_back(std::move(cell));
-      cells.insert(cells.end(), {row->share_below, row->share_above});
+      cells.insert(cells.end(), {row->share_below, row->share_above, row->mean, row->record_error,
+                                 row->sample_error});
       table.add(std::move(cells));
     }
   }
@@ -94,11 +130,15 @@ Table exceedance_spread_table(const Results& results) {
               "Where the spread of exceedance (0 or 1) comes from, at each level",
               {condition_column,
                threshold_column,
-               intensity_column(results, "level", "Level"),
-               {"probability", "", "Exceeded", ColumnKind::share},
-               text_column("factor", "Factor"),
+               level_column(results),
+               {"probability", "", "Exceeded", ColumnKind::share,
+                "share of histories that reach the threshold"},
+               text_column("factor", "Factor", "what the spread comes from"),
                first_column,
-               total_column},
+               total_column,
+               std_column,
+               record_error_column,
+               sample_error_column},
               {}};
   for (const SpreadRow& row : found.rows) {
     if (row.is_capacity() || !(row.std > 0.0)) continue;
@@ -106,6 +146,7 @@ Table exceedance_spread_table(const Results& results) {
       std::vector<Cell> cells{row.condition, row.threshold_m, row.level, row.mean,
                               found.factors[f]};
       for (Cell& cell : share_cells(row, f)) cells.push_back(std::move(cell));
+      cells.insert(cells.end(), {row.std, row.record_error, row.sample_error});
       table.add(std::move(cells));
     }
   }
@@ -117,12 +158,19 @@ Table design_friction_table(const Results& results) {
   Table table{"design_friction",
               "How often slip with drawn friction exceeds slip with the design value, mean - 2 std",
               {condition_column,
-               intensity_column(results, "level", "Level"),
-               {"same_motion", "", "Same motion and building [95 %]", ColumnKind::share, true},
-               {"same_motion_error", "", "Standard error of the samples", ColumnKind::share},
-               {"design_mean", "m", "Mean slip with mean - 2 std, m (in)", ColumnKind::length},
-               {"above_mean", "", "Any slip above that mean [95 %]", ColumnKind::share, true},
-               {"above_mean_error", "", "Standard error of the samples", ColumnKind::share}},
+               level_column(results),
+               {"same_motion", "", "Same motion and building [95 %]", ColumnKind::share,
+                "probability that displacement with drawn friction exceeds that with mean - 2 std, "
+                "of the same record and sample",
+                true},
+               {"same_motion_error", "", "Standard error of the samples", ColumnKind::share,
+                "standard error from the samples"},
+               {"design_mean", "m", "Mean slip with mean - 2 std, m (in)", ColumnKind::length,
+                "mean displacement with mean - 2 std"},
+               {"above_mean", "", "Any slip above that mean [95 %]", ColumnKind::share,
+                "probability that a displacement with drawn friction exceeds design_mean", true},
+               {"above_mean_error", "", "Standard error of the samples", ColumnKind::share,
+                "standard error from the samples"}},
               {}};
   for (const DesignFrictionRow& row : results.sensitivity->design_friction)
     table.add({row.condition, row.level, row.same_motion, row.same_motion_error, row.design_mean_m,

@@ -61,18 +61,24 @@ bool differs_clearly(const ThresholdShape& shape, ShapeModel model) {
 }
 
 Table shape_table(const Results& results) {
-  Table table{"shape",
-              "Is a lognormal the right fragility? " + in_plan(results),
-              {run_column,
-               threshold_column,
-               {"p_value", "", "Goodness of fit, p", ColumnKind::number, false, 3},
-               {"largest_gap", "", "Observed - curve", ColumnKind::number, false, 3},
-               intensity_column(results, "gap_at", "there"),
-               text_column("best", "Best model"),
-               {"recrossed", "", "Recross", ColumnKind::share},
-               {"distance", "", "Distance"},
-               {"correlation", "", "Correlation in a record"}},
-              {}};
+  Table table{
+      "shape",
+      "Is a lognormal the right fragility? " + in_plan(results),
+      {run_column,
+       threshold_column,
+       {"p_value", "", "Goodness of fit, p", ColumnKind::number,
+        "goodness of fit of the lognormal; nan: no test", false, 3},
+       {"largest_gap", "", "Observed - curve", ColumnKind::number,
+        "largest difference of observed share and curve", false, 3},
+       intensity_column(results, "gap_at", "there", "intensity at which the gap is largest"),
+       text_column("best", "Best model", "best model, or why none was compared"),
+       {"recrossed", "", "Recross", ColumnKind::share,
+        "share of histories that reached the threshold at a lower level and do not here"},
+       {"distance", "", "Distance", ColumnKind::number,
+        "Cramer-von Mises distance of capacities and curve"},
+       {"correlation", "", "Correlation in a record", ColumnKind::number,
+        "correlation of the normal scores of a record's capacities"}},
+      {}};
   for (const char* stem : {"distance", "correlation"})
     std::ranges::find(table.columns, stem, &Column::stem)->detail = true;
   for (std::size_t r = 0; r < results.runs.size(); ++r) {
@@ -93,17 +99,22 @@ Table shape_table(const Results& results) {
 }
 
 Table shape_models_table(const Results& results) {
-  Table table{"shape_models",
-              "Models compared by cross-validation: ln of the probability that a model fitted on "
-              "the other records gives to a record, per history and level. Higher is better.",
-              {run_column,
-               threshold_column,
-               text_column("model", "Model"),
-               {"score", "", "Score", ColumnKind::number, false, 4},
-               {"difference", "", "To lognormal", ColumnKind::number, false, 4},
-               {"standard_error", "", "Standard error", ColumnKind::number, false, 4},
-               text_column("against", "Against lognormal")},
-              {}};
+  Table table{
+      "shape_models",
+      "Models compared by cross-validation: ln of the probability that a model fitted on "
+      "the other records gives to a record, per history and level. Higher is better.",
+      {run_column,
+       threshold_column,
+       text_column("model", "Model", "model"),
+       {"score", "", "Score", ColumnKind::number,
+        "ln probability of a record by the model fitted on the others, per history and level",
+        false, 4},
+       {"difference", "", "To lognormal", ColumnKind::number, "score less that of the lognormal",
+        false, 4},
+       {"standard_error", "", "Standard error", ColumnKind::number,
+        "standard error of the difference, over records", false, 4},
+       text_column("against", "Against lognormal", "verdict against the lognormal")},
+      {}};
   for (const ShapeRun& run : results.shape->runs) {
     for (const ThresholdShape& shape : run.thresholds) {
       for (std::size_t m = 0; m < shape.score.size(); ++m) {
@@ -124,16 +135,19 @@ Table shape_levels_table(const Results& results) {
               "Histories that slide freely are in the observed share only.",
               {run_column,
                threshold_column,
-               intensity_column(results, "level", "Level"),
-               {"observed", "", "Observed", ColumnKind::share}},
+               level_column(results),
+               {"observed", "", "Observed", ColumnKind::share, "observed share"}},
               {}};
   constexpr const char* stems[] = {"lognormal", "logit",    "complementary_log_log",
                                    "two_part",  "monotone", "one_surface"};
   static_assert(std::size(stems) == shape_model_count);
   for (std::size_t m = 0; m < shape_model_count; ++m)
-    table.columns.push_back(
-        {stems[m], "", model_name(static_cast<ShapeModel>(m)), ColumnKind::share});
-  table.columns.push_back({"recrossed", "", "Recross", ColumnKind::share});
+    table.columns.push_back({stems[m], "", model_name(static_cast<ShapeModel>(m)),
+                             ColumnKind::share,
+                             "probability by this model, fitted on all records"});
+  table.columns.push_back(
+      {"recrossed", "", "Recross", ColumnKind::share,
+       "share of histories that reached the threshold at a lower level and do not here"});
   for (std::size_t r = 0; r < results.runs.size(); ++r) {
     for (std::size_t t = 0; t < results.thresholds_m.size(); ++t) {
       const ThresholdShape& shape = results.shape->runs[r].thresholds[t];
@@ -151,16 +165,19 @@ Table shape_levels_table(const Results& results) {
 }
 
 Table shape_crossings_table(const Results& results) {
-  Table table{"shape_crossings",
-              "Where the lognormals of neighbouring clearances cross: on one side of it the larger "
-              "clearance would be exceeded with the higher probability.",
-              {run_column,
-               threshold_column,
-               {"next_threshold", "m", "Next, m (in)", ColumnKind::length},
-               intensity_column(results, "intensity", "Cross at"),
-               {"probability", "", "Probability there", ColumnKind::share},
-               text_column("within", "Between the levels")},
-              {}};
+  Table table{
+      "shape_crossings",
+      "Where the lognormals of neighbouring clearances cross: on one side of it the larger "
+      "clearance would be exceeded with the higher probability.",
+      {run_column,
+       threshold_column,
+       {"next_threshold", "m", "Next, m (in)", ColumnKind::length, "the next larger threshold"},
+       intensity_column(results, "intensity", "Cross at", "where their lognormals cross"),
+       {"probability", "", "Probability there", ColumnKind::share,
+        "probability of both where they cross"},
+       text_column("within", "Between the levels",
+                   "whether they cross between the lowest and the highest level")},
+      {}};
   for (const ShapeRun& run : results.shape->runs) {
     for (const ShapeCrossing& c : run.crossings)
       table.add({run.label, c.threshold_m, c.next_threshold_m, c.intensity, c.probability,
@@ -175,10 +192,14 @@ Table shape_surface_table(const Results& results) {
               "beside the separate fits.",
               {run_column,
                threshold_column,
-               intensity_column(results, "median", "Joint median", true),
-               {"log_std", "", "Joint log std [95 %]", ColumnKind::number, true},
-               intensity_column(results, "separate_median", "Separate median"),
-               {"separate_log_std", "", "Separate log std"}},
+               intensity_column(results, "median", "Joint median",
+                                "median with one log_std for all thresholds", true),
+               {"log_std", "", "Joint log std [95 %]", ColumnKind::number,
+                "the one logarithmic standard deviation of all thresholds", true},
+               intensity_column(results, "separate_median", "Separate median",
+                                "median of the separate fit"),
+               {"separate_log_std", "", "Separate log std", ColumnKind::number,
+                "logarithmic standard deviation of the separate fit"}},
               {}};
   for (std::size_t r = 0; r < results.runs.size(); ++r) {
     const ShapeRun& run = results.shape->runs[r];

@@ -17,21 +17,26 @@ const SlipStatistics* slip_at(const RunResults& run, double level) {
 }  // namespace
 
 Table standards_table(const Results& results) {
-  Table table{"standards",
-              std::string("Displacements prescribed by standards beside the computed slip. ") +
-                  in_plan(results),
-              {run_column,
-               text_column("standard", "Standard"),
-               {"sds", "g", "S_DS, g"},
-               {"prescribed", "m", "Prescribed, m (in)", ColumnKind::length},
-               {"median_slip", "m", "Median, m (in)", ColumnKind::length},
-               {"p84_slip", "m", "84th, m (in)", ColumnKind::length},
-               {"p95_slip", "m", "95th, m (in)", ColumnKind::length},
-               {"mean_slip", "m", "Mean, m (in)", ColumnKind::length},
-               {"exceedance_share", "", "Slip > prescribed [95 %]", ColumnKind::share, true},
-               text_column("provenance", "Provision"),
-               text_column("basis", "Basis")},
-              {}};
+  Table table{
+      "standards",
+      std::string("Displacements prescribed by standards beside the computed slip. ") +
+          in_plan(results),
+      {run_column,
+       text_column("standard", "Standard", "standard"),
+       {"sds", "g", "S_DS, g", ColumnKind::number, "design spectral acceleration S_DS"},
+       {"prescribed", "m", "Prescribed, m (in)", ColumnKind::length, "prescribed displacement"},
+       {"median_slip", "m", "Median, m (in)", ColumnKind::length,
+        "median peak displacement in plan at this level"},
+       {"p84_slip", "m", "84th, m (in)", ColumnKind::length,
+        "84th percentile of the peak displacement in plan"},
+       {"p95_slip", "m", "95th, m (in)", ColumnKind::length,
+        "95th percentile of the peak displacement in plan"},
+       {"mean_slip", "m", "Mean, m (in)", ColumnKind::length, "mean peak displacement in plan"},
+       {"exceedance_share", "", "Slip > prescribed [95 %]", ColumnKind::share,
+        "share of histories with more than the prescribed displacement", true},
+       text_column("provenance", "Provision", "how well the provision is known"),
+       text_column("basis", "Basis", "equation or clause")},
+      {}};
   for (const RunResults& run : results.runs) {
     for (const StandardComparison& comparison : run.standards) {
       const SlipStatistics* found = slip_at(run, comparison.sds_g);

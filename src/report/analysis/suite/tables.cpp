@@ -48,6 +48,7 @@ Table records_table(const Results& results) {
                text_column("has_second", "2nd axis"),
                text_column("has_vertical", "Vertical")},
               {}};
+  table.is_of_inputs = true;
   const auto yes_no = [](bool value) -> std::string { return value ? "yes" : "no"; };
   for (const RecordSummary& r : results.records) {
     table.add({static_cast<double>(table.rows.size() + 1), results.suites.at(r.suite).name, r.id,
@@ -69,6 +70,7 @@ Table spectra_table(const Results& results) {
                   ".",
               {{"period", "s", "Period, s"}, {"average_srss", "g", "Average, g"}},
               {}};
+  table.is_of_inputs = true;
   if (!spectra.target_g.empty()) table.columns.push_back({"target", "g", "Target, g"});
   for (std::size_t r = 0; r < spectra.srss_g.size(); ++r) {
     const std::string id = r < results.records.size() ? results.records[r].id : std::to_string(r);
@@ -94,6 +96,7 @@ Table samples_table(const Results& results) {
                                             most, samples),
               {{"sample", "", "Sample", ColumnKind::count}},
               {}};
+  table.is_of_inputs = true;
   std::vector<const Parameter*> shown;
   for (const Parameter& p : parameters()) {
     if (p.axes == Parameter::Axes::two && !slides_on_two_axes(results)) continue;

@@ -28,10 +28,12 @@ Table tipping_table(const Results& results) {
               "Share of the histories in which the body begins to tip. Intensity measure: " +
                   results.intensity_label + ".",
               {condition_column,
-               intensity_column(results, "level", "Level"),
-               {"tip_share", "", "Begins to tip", ColumnKind::share},
-               {"record_count", "", "Records that tip", ColumnKind::count},
-               text_column("records", "They are")},
+               level_column(results),
+               {"tip_share", "", "Begins to tip", ColumnKind::share,
+                "share of histories in which the body begins to tip"},
+               {"record_count", "", "Records that tip", ColumnKind::count,
+                "number of records in any of whose histories it tips"},
+               text_column("records", "They are", "ids of the records in which it tips")},
               {},
               {}};
   for (const TippingShare& row : results.tipping->shares) {
@@ -81,7 +83,28 @@ std::string summary(const Results& results) {
          (table.rows.size() <= most_rows ? "\n" + to_text(table) : "");
 }
 
-std::vector<Table> tables(const Results& results) { return {tipping_table(results)}; }
+Table tipping_records_table(const Results& results) {
+  Table table{"tipping_by_record",
+              "Share of the histories of each record in which the body begins to tip. Intensity "
+              "measure: " +
+                  results.intensity_label + ".",
+              {condition_column,
+               level_column(results),
+               text_column("record", "Record", "id of the record"),
+               {"tip_share", "", "Begins to tip", ColumnKind::share,
+                "share of the histories of the record in which the body begins to tip"}},
+              {},
+              {}};
+  for (const TippingShare& row : results.tipping->shares) {
+    for (std::size_t r = 0; r < row.by_record.size(); ++r)
+      table.add({row.condition, row.level, results.records[r].id, row.by_record[r]});
+  }
+  return table;
+}
+
+std::vector<Table> tables(const Results& results) {
+  return {tipping_table(results), tipping_records_table(results)};
+}
 
 Html section(const Results& results) {
   return heading("Onset of tipping") + table_or_file(tipping_table(results));

@@ -99,12 +99,15 @@ namespace {
 
 /// Which row of the verdict: the first columns of its tables, and their cells.
 std::vector<Column> row_columns(std::initializer_list<Column> others) {
-  std::vector<Column> columns{condition_column,
-                              {"mu", "", "Friction"},
-                              {"slope", "deg", "Slope, degrees"},
-                              text_column("standard", "Standard"),
-                              text_column("conditions", "Conditions"),
-                              {"sds", "g", "S_DS, g"}};
+  std::vector<Column> columns{
+      condition_column,
+      {"mu", "", "Friction", ColumnKind::number,
+       "coefficient of friction as stated: of what is drawn the mean of its distribution"},
+      {"slope", "deg", "Slope, degrees", ColumnKind::number, "slope of the roof"},
+      text_column("standard", "Standard", "standard"),
+      text_column("conditions", "Conditions",
+                  "whether slope and friction meet the conditions of the standard"),
+      {"sds", "g", "S_DS, g", ColumnKind::number, "design spectral acceleration S_DS"}};
   columns.insert(columns.end(), others);
   return columns;
 }
@@ -126,23 +129,33 @@ Estimate estimate(const VerdictProbability& of) { return {of.probability, of.int
 
 Table verdict_table(const Results& results) {
   const VerdictResults& verdict = *results.verdict;
-  Table table{
-      "verdict",
-      "Prescribed displacements, in the building whose period makes each number largest",
-      row_columns({{"prescribed", "m", "Prescribed, m (in)", ColumnKind::length},
-                   text_column("provision", "Provision"),
-                   {"dbe_probability", "", "Exceeded at DBE [95 %]", ColumnKind::share, true},
-                   {"dbe_period", "s", "Period, s"},
-                   {"mce_probability", "", "Exceeded at MCE [95 %]", ColumnKind::share, true},
-                   {"mce_period", "s", "Period, s"}}),
-      {}};
+  Table table{"verdict",
+              "Prescribed displacements, in the building whose period makes each number largest",
+              row_columns({{"prescribed", "m", "Prescribed, m (in)", ColumnKind::length,
+                            "prescribed displacement"},
+                           text_column("provision", "Provision", "how well the provision is known"),
+                           {"dbe_probability", "", "Exceeded at DBE [95 %]", ColumnKind::share,
+                            "probability that more is needed at S_DS, in the building whose period "
+                            "makes it largest",
+                            true},
+                           {"dbe_period", "s", "Period, s", ColumnKind::number,
+                            "building period that makes the probability largest"},
+                           {"mce_probability", "", "Exceeded at MCE [95 %]", ColumnKind::share,
+                            "probability that more is needed at 1.5 S_DS, likewise", true},
+                           {"mce_period", "s", "Period, s", ColumnKind::number,
+                            "building period that makes the probability largest"}}),
+              {}};
   for (const double p : verdict.exceedance)
     table.columns.push_back({fmt::format("displacement_{:g}_percent", 100.0 * p), "m",
-                             percent(p) + " exceed, m (in) [95 %]", ColumnKind::length, true});
-  table.columns.push_back({"ratio", "", percent(verdict.exceedance.front()) + " over prescribed"});
-  table.columns.push_back(text_column("judgement", "Judgement"));
+                             percent(p) + " exceed, m (in) [95 %]", ColumnKind::length,
+                             "displacement that is exceeded at S_DS with " + percent(p), true});
+  table.columns.push_back({"ratio", "", percent(verdict.exceedance.front()) + " over prescribed",
+                           ColumnKind::number,
+                           "displacement exceeded with the accepted probability over prescribed"});
+  table.columns.push_back(text_column("judgement", "Judgement", "judgement at S_DS"));
   table.columns.push_back(
-      text_column("certain", "Interval on one side of " + percent(verdict.exceedance.front())));
+      text_column("certain", "Interval on one side of " + percent(verdict.exceedance.front()),
+                  "whether the interval lies on one side of the accepted probability"));
   for (const VerdictRow& row : verdict.rows) {
     std::vector<Cell> cells =
         row_cells(row, {row.prescribed.value_m, std::string(provision_text({&row, 1})),
@@ -159,19 +172,27 @@ Table verdict_table(const Results& results) {
 
 Table verdict_summary_table(const Results& results) {
   const VerdictResults& verdict = *results.verdict;
-  Table table{"verdict_summary",
-              "The prescribed displacement at the S_DS of the study",
-              {{"slope", "deg", "Slope, degrees"},
-               {"mu", "", "Friction"},
-               text_column("standard", "Standard"),
-               text_column("provision", "Provision"),
-               text_column("conditions", "Conditions"),
-               text_column("exceeded", "Exceeded at S_DS, g"),
-               text_column("conservative", "Conservative at S_DS, g"),
-               {"dbe_probability", "", "Largest at DBE [95 %]", ColumnKind::share, true},
-               {"mce_probability", "", "Largest at MCE [95 %]", ColumnKind::share, true},
-               condition_column},
-              {}};
+  Table table{
+      "verdict_summary",
+      "The prescribed displacement at the S_DS of the study",
+      {{"slope", "deg", "Slope, degrees", ColumnKind::number, "slope of the roof"},
+       {"mu", "", "Friction", ColumnKind::number,
+        "coefficient of friction as stated: of what is drawn the mean of its distribution"},
+       text_column("standard", "Standard", "standard"),
+       text_column("provision", "Provision", "how well the provision is known"),
+       text_column("conditions", "Conditions",
+                   "whether slope and friction meet the conditions of the standard"),
+       text_column("exceeded", "Exceeded at S_DS, g",
+                   "ranges of S_DS (g) at which the judgement is exceeded"),
+       text_column("conservative", "Conservative at S_DS, g",
+                   "ranges of S_DS (g) at which the judgement is conservative"),
+       {"dbe_probability", "", "Largest at DBE [95 %]", ColumnKind::share,
+        "probability that more is needed at S_DS, in the building whose period makes it largest",
+        true},
+       {"mce_probability", "", "Largest at MCE [95 %]", ColumnKind::share,
+        "probability that more is needed at 1.5 S_DS, likewise", true},
+       condition_column},
+      {}};
   for (const VerdictKind kind : verdict_kinds(verdict)) {
     const VerdictProbability dbe = largest_of(kind, &VerdictRow::dbe),
                              mce = largest_of(kind, &VerdictRow::mce);
@@ -211,17 +232,25 @@ Table verdict_separations_table(const Results& results) {
   const VerdictResults& verdict = *results.verdict;
   Table table{"verdict_separations",
               "Probability that more than a separation is needed",
-              row_columns({text_column("separation", "Separation"),
-                           {"value", "m", "Separation, m (in)", ColumnKind::length},
-                           {"dbe_probability", "", "At DBE [95 %]", ColumnKind::share, true},
-                           {"dbe_period", "s", "Period, s"},
-                           {"mce_probability", "", "At MCE [95 %]", ColumnKind::share, true},
-                           {"mce_period", "s", "Period, s"}}),
+              row_columns({text_column("separation", "Separation", "between what"),
+                           {"factor", "", "x prescribed", ColumnKind::number,
+                            "factor on the prescribed displacement"},
+                           {"value", "m", "Separation, m (in)", ColumnKind::length, "separation"},
+                           {"dbe_probability", "", "At DBE [95 %]", ColumnKind::share,
+                            "probability that more is needed at S_DS, in the building whose period "
+                            "makes it largest",
+                            true},
+                           {"dbe_period", "s", "Period, s", ColumnKind::number,
+                            "building period that makes the probability largest"},
+                           {"mce_probability", "", "At MCE [95 %]", ColumnKind::share,
+                            "probability that more is needed at 1.5 S_DS, likewise", true},
+                           {"mce_period", "s", "Period, s", ColumnKind::number,
+                            "building period that makes the probability largest"}}),
               {}};
   for (const VerdictSeparation& s : verdict.separations) {
     const VerdictRow& row = verdict.rows[s.row];
-    table.add(row_cells(row, {s.what, s.value_m, estimate(s.dbe), s.dbe.period_s, estimate(s.mce),
-                              s.mce.period_s}));
+    table.add(row_cells(row, {s.what, s.factor, s.value_m, estimate(s.dbe), s.dbe.period_s,
+                              estimate(s.mce), s.mce.period_s}));
   }
   return table;
 }
@@ -230,10 +259,12 @@ Table verdict_separations_summary_table(const Results& results) {
   const VerdictResults& verdict = *results.verdict;
   Table table{"verdict_separations_summary",
               "The separations: largest probability at DBE that more is needed",
-              {{"slope", "deg", "Slope, degrees"},
-               {"mu", "", "Friction"},
-               text_column("standard", "Standard"),
-               text_column("conditions", "Conditions")},
+              {{"slope", "deg", "Slope, degrees", ColumnKind::number, "slope of the roof"},
+               {"mu", "", "Friction", ColumnKind::number,
+                "coefficient of friction as stated: of what is drawn the mean of its distribution"},
+               text_column("standard", "Standard", "standard"),
+               text_column("conditions", "Conditions",
+                           "whether slope and friction meet the conditions of the standard")},
               {}};
   std::vector<double> factors;
   for (const VerdictSeparation& s : verdict.separations) {
@@ -243,6 +274,7 @@ Table verdict_separations_summary_table(const Results& results) {
   for (const double factor : factors)
     table.columns.push_back({fmt::format("dbe_probability_{:g}", factor), "",
                              fmt::format("{:g} x prescribed [95 %]", factor), ColumnKind::share,
+                             "largest probability at S_DS that more than this separation is needed",
                              true});
   for (const VerdictKind kind : verdict_kinds(verdict)) {
     std::vector<Cell> cells{kind.front().slope_deg, kind.front().mu,

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "analysis/conditions/means.hpp"
+
+#include <utility>
+
+namespace glissade {
+namespace {
+
+std::vector<Column> range_columns(ColumnKind kind) {
+  std::vector<Column> columns{
+      range_column("lowest", "Lowest", "mean over the suite, all records in the least orientation",
+                   kind),
+      range_column("median", "Median", "mean over the suite, median over the orientations", kind),
+      range_column("highest", "Highest",
+                   "mean over the suite, all records in the largest orientation", kind),
+      range_column("bound_lowest", "Lower bound",
+                   "mean over the suite, each record in its least orientation", kind),
+      range_column("bound_highest", "Upper bound",
+                   "mean over the suite, each record in its largest orientation", kind),
+      range_column("largest", "Largest history", "largest of all records and orientations", kind)};
+  columns[1].with_interval = columns[2].with_interval = columns.back().detail = true;
+  return columns;
+}
+
+std::vector<Cell> range_cells(const SuiteMean& mean) {
+  const OrientationRange& range = mean.range;
+  return {range.lowest,
+          Estimate{range.median, range.interval},
+          Estimate{range.highest, range.highest_interval},
+          mean.bounds.lowest,
+          mean.bounds.highest,
+          mean.largest};
+}
+
+std::vector<Column> place_columns(const MeansByCondition& of) {
+  std::vector<Column> columns = of.conditions.columns();
+  if (of.period != nullptr) columns.push_back(*of.period);
+  return columns;
+}
+
+std::vector<Cell> place_cells(const MeansByCondition& of, std::size_t i) {
+  std::vector<Cell> cells = of.conditions.cells(of.means[i].suite, of.places[i % of.places.size()]);
+  if (of.period != nullptr) cells.emplace_back(of.means[i].period_s);
+  return cells;
+}
+
+}  // namespace
+
+Table means_table(const MeansByCondition& of, FileName name, std::string title) {
+  Table table{std::move(name), std::move(title), place_columns(of), {}, {}};
+  append(table.columns, range_columns(of.kind));
+  for (std::size_t i = 0; i < of.means.size(); ++i) {
+    std::vector<Cell> row = place_cells(of, i);
+    append(row, range_cells(of.means[i]));
+    table.add(std::move(row));
+  }
+  table.notes = {"[ ]: 95 % interval, from resampling records",
+                 "bounds: with the orientation chosen record by record"};
+  return table;
+}
+
+Table means_by_orientation_table(const MeansByCondition& of, FileName name, std::string title) {
+  Table table{std::move(name), std::move(title), place_columns(of), {}, {}};
+  append(table.columns, {{"orientation", "", "Orientation", ColumnKind::count,
+                          "number of the orientation of all records"},
+                         range_column("mean", "Mean", "mean over the suite", of.kind)});
+  for (std::size_t i = 0; i < of.means.size(); ++i) {
+    for (std::size_t o = 0; o < of.means[i].by_orientation.size(); ++o) {
+      std::vector<Cell> row = place_cells(of, i);
+      append(row, {static_cast<double>(o + 1), of.means[i].by_orientation[o]});
+      table.add(std::move(row));
+    }
+  }
+  return table;
+}
+
+}  // namespace glissade
