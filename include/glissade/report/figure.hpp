@@ -107,6 +107,7 @@ struct Axis {
     names,       ///< of the nearest tick
   };
   Values values = Values::numbers;
+  std::string length;  ///< of a length: the label without its unit
 };
 /// A displacement from 0 m on, in the unit that stands first.
 Axis length_axis(const std::string& label, double high_m);

@@ -121,8 +121,8 @@ Axis length_axis(const std::string& label, double high_m) {
     return ticks;
   };
   if (LengthUnits::first() == UnitSystem::us_customary)
-    return {label + " (in)", 0.0, high_m, ticks_every(inch_m)};
-  return {label + " (m)", 0.0, high_m, {}};
+    return {label + " (in)", 0.0, high_m, ticks_every(inch_m), Axis::Values::numbers, label};
+  return {label + " (m)", 0.0, high_m, {}, Axis::Values::numbers, label};
 }
 
 namespace {

@@ -28,8 +28,7 @@ std::string value_text(const Axis& axis, double value) {
     case Axis::Values::numbers:
       break;
   }
-  if (axis.label.ends_with("(in)") || axis.label.ends_with("(m)"))
-    return axis.label.substr(0, axis.label.rfind(" (")) + " " + format_length(value);
+  if (!axis.length.empty()) return axis.length + " " + format_length(value);
   return axis.label + " " + format_number(value);
 }
 

@@ -72,16 +72,19 @@ std::string describe(OrientationChoice choice) {
 
 std::string to_string(SlopeAxis axis) { return axis == SlopeAxis::e_w ? "E-W" : "N-S"; }
 
-std::string to_string(const Orientation& o) {
+std::string to_string(const Orientation& o, bool two_axes) {
   const std::string slope = "slope " + to_string(o.slope_axis);
   if (!o.is_quarter_turn()) {
     return fmt::format("{}, azimuth {:g} deg{}", slope, o.ground_azimuth_deg,
-                       o.across_sign < 0 ? ", across mirrored" : "");
+                       two_axes && o.across_sign < 0 ? ", across mirrored" : "");
   }
   const char* names[] = {"first", "second"};
   const SignedComponent along = along_axis(o, 0), across = along_axis(o, 1);
-  return fmt::format("{}, along it {}{}, across {}{}", slope, along.sign > 0 ? '+' : '-',
-                     names[along.component], across.sign > 0 ? '+' : '-', names[across.component]);
+  const auto signed_name = [&](const SignedComponent& c) {
+    return (c.sign > 0 ? '+' : '-') + std::string(names[c.component]);
+  };
+  const std::string text = slope + ", along it " + signed_name(along);
+  return two_axes ? text + ", across " + signed_name(across) : text;
 }
 
 }  // namespace glissade

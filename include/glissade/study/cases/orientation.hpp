@@ -56,7 +56,7 @@ std::vector<Orientation> orientations(OrientationChoice choice,
 std::string describe(OrientationChoice choice);
 
 /// "slope E-W, along it + first, across + second", "slope N-S, azimuth 22.5 deg"
-std::string to_string(const Orientation& orientation);
+std::string to_string(const Orientation& orientation, bool two_axes = true);
 std::string to_string(SlopeAxis axis);  ///< "E-W"
 
 }  // namespace glissade

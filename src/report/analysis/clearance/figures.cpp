@@ -171,9 +171,8 @@ Figure slope_figure(const Results& results) {
   std::vector<double> x;
   std::vector<std::string> ticks;
   for (const double slope_deg : grid.slope_deg) {
-    const std::string text = slope_text(slope_deg);
     x.push_back(12.0 * std::tan(slope_deg * rad_per_deg));
-    ticks.push_back(text.substr(0, text.find(" (")));
+    ticks.push_back(slope_name(slope_deg));
   }
   Family family(results, "Roof slope (rise in 12)", x);
   family.name_ticks(ticks);

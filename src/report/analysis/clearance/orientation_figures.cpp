@@ -64,8 +64,7 @@ Figure permutations_figure(const Results& results) {
     for (const SlopeAxis axis : {SlopeAxis::e_w, SlopeAxis::n_s}) {
       if (orientations_of(results, {.slope_axis = axis}).empty()) continue;
       permutations.emplace_back(slope, axis);
-      const std::string text = slope_text(grid.slope_deg[slope]);
-      ticks.push_back(text.substr(0, text.find(" (")) + " " + to_string(axis));
+      ticks.push_back(slope_name(grid.slope_deg[slope]) + " " + to_string(axis));
     }
   }
   Panel panel{"", {"Roof slope and the axis it falls along"}};

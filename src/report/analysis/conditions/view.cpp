@@ -49,19 +49,28 @@ std::string number_in_words(std::size_t n) {
   return n == 16 ? "sixteen" : fmt::format("{}", n);
 }
 
-}  // namespace
-
-std::string slope_text(double slope_deg) {
-  if (std::isnan(slope_deg)) return "drawn";
+/// "1/4" of a slope that rises by quarters in 12; "" of others.
+std::string rise_in_12(double slope_deg) {
   const double quarters = 48.0 * std::tan(slope_deg * rad_per_deg);
   const double whole = std::round(quarters);
-  if (std::abs(quarters - whole) > 1e-6 || whole == 0.0)
-    return fmt::format("{:.3g} deg", slope_deg);
-  const std::string rise = whole == 1.0   ? "1/4"
-                           : whole == 2.0 ? "1/2"
-                           : whole == 3.0 ? "3/4"
-                                          : fmt::format("{:g}", whole / 4.0);
-  return fmt::format("{}:12 ({:.3g} deg)", rise, slope_deg);
+  if (std::abs(quarters - whole) > 1e-6 || whole == 0.0) return "";
+  return whole == 1.0   ? "1/4"
+         : whole == 2.0 ? "1/2"
+         : whole == 3.0 ? "3/4"
+                        : fmt::format("{:g}", whole / 4.0);
+}
+
+}  // namespace
+
+std::string slope_name(double slope_deg) {
+  if (std::isnan(slope_deg)) return "drawn";
+  const std::string rise = rise_in_12(slope_deg);
+  return rise.empty() ? fmt::format("{:.3g} deg", slope_deg) : rise + ":12";
+}
+
+std::string slope_text(double slope_deg) {
+  const bool has_both = !std::isnan(slope_deg) && !rise_in_12(slope_deg).empty();
+  return slope_name(slope_deg) + (has_both ? fmt::format(" ({:.3g} deg)", slope_deg) : "");
 }
 
 std::string label_of(const ConditionGrid& grid, ConditionAxis axis, std::size_t place) {
@@ -169,8 +178,7 @@ std::string reference_strength_text(const ConditionGrid& grid) {
 }
 
 std::string orientation_text(const Results& results, const Orientation& orientation) {
-  const std::string text = to_string(orientation);
-  return slides_on_two_axes(results) ? text : text.substr(0, text.find(", across"));
+  return to_string(orientation, slides_on_two_axes(results));
 }
 
 bool has_several(const ConditionGrid& grid, ConditionAxis axis) { return grid.size(axis) > 1; }

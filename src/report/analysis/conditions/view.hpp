@@ -15,7 +15,8 @@ using Places = std::vector<Condition>;
 /// "T 0.2 s", "m/M 0.05", "R 2", "slope 1/4:12", "DBE", "no vertical motion", "anchored array"
 std::string label_of(const ConditionGrid& grid, ConditionAxis axis, std::size_t place);
 std::string label_of(const ConditionGrid& grid, ConditionAxis axis, const Condition& at);
-/// "1/4:12 (1.19 deg)"
+/// "1/4:12", and "1/4:12 (1.19 deg)"; "1.3 deg" of both where the rise is not of quarters.
+std::string slope_name(double slope_deg);
 std::string slope_text(double slope_deg);
 /// The labels of all axes that have more than one value but those of `without`.
 std::string distinguished(const ConditionGrid& grid, const Condition& at,
