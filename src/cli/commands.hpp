@@ -17,6 +17,7 @@ void add_friction(CLI::App& program);
 void add_suite(CLI::App& program);
 void add_suite_select(CLI::App& suite);  // called by add_suite
 void add_standards(CLI::App& program);
+void add_building(CLI::App& program);
 void add_report(CLI::App& program);
 void add_explain(CLI::App& program);
 void add_init(CLI::App& program);

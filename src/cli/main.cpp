@@ -101,6 +101,7 @@ ExitStatus run_program(int argc, char** argv, const glissade::Communicator& worl
   glissade::cli::add_friction(program);
   glissade::cli::add_suite(program);
   glissade::cli::add_standards(program);
+  glissade::cli::add_building(program);
   glissade::cli::add_report(program);
   glissade::cli::add_explain(program);
   take_units(program);

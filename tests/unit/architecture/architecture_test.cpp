@@ -27,7 +27,7 @@ const std::map<std::string, std::set<std::string>> may_include = {
     {"study", {"core", "motion", "building", "block", "sampling", "fragility", "standards"}},
     {"design", {"core", "motion", "sampling", "fragility", "standards", "study"}},
     {"parallel", {"core"}},
-    {"io", {"core", "motion", "sampling", "fragility", "standards", "study", "design"}},
+    {"io", {"core", "motion", "building", "sampling", "fragility", "standards", "study", "design"}},
     {"report", {"core", "motion", "sampling", "fragility", "standards", "study", "design"}},
     {"cli",
      {"core", "motion", "building", "block", "sampling", "fragility", "standards", "study",

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+namespace glissade {
+
+/// A mode of a linear, classically damped building along one axis, as the array on its roof meets
+/// it (Chopra 2017, chapter 13): with M_n = phi^T M phi and L_n = phi^T M 1,
+///   gamma = (L_n / M_n) phi at the array,   e = L_n^2 / (M_n M),
+/// and the roof's absolute acceleration is a_g + sum of gamma D_n'' over the modes. One mass on one
+/// spring is gamma = e = 1. Over all modes the sum of gamma and that of e are 1.
+struct Mode {
+  double period_s = 0.0;       ///< > 0
+  double participation = 1.0;  ///< gamma, at the array
+  double mass_share = 1.0;     ///< e, (0, 1]
+};
+
+/// The largest shear-to-flexure parameter of cantilever_modes(): beyond it the building is one of
+/// uniform shear to 1e-3.
+inline constexpr double largest_alpha = 500.0;
+
+/// A uniform cantilever of flexure and shear (Miranda & Taghavi 2005, J. Struct. Eng. 131(2):
+/// 203-211): `alpha`, their alpha_0, is 0 for flexure alone, 0 to 2 for walls, 5 to 10 for walls
+/// with frames, 20 to 30 for frames. The array is at its top. Accurate to 1e-12 of the periods and
+/// 2e-8 of the other numbers, for alpha to 30 (modes_test).
+/// @param period_s of the first mode, > 0
+/// @param alpha from 0 to largest_alpha
+std::vector<Mode> cantilever_modes(double period_s, double alpha, std::size_t count);
+
+/// A shear building: masses of the floors and stiffnesses of the storeys below them, from the
+/// ground up, in any consistent units (kg and N/m for seconds). The array is on the last floor. As
+/// many modes as floors, the longest period first.
+/// @throw InputError where a mass or stiffness is not above 0, or their numbers differ
+std::vector<Mode> shear_building_modes(std::span<const double> masses,
+                                       std::span<const double> stiffnesses);
+
+/// As many of them as carry 95 % of the mass, without those below 0.05 s after the first, at most
+/// six. Modes that are left out move with the ground.
+std::vector<Mode> governing_modes(std::span<const Mode> modes);
+
+/// Sum of the mass shares.
+double mass_of(std::span<const Mode> modes);
+
+}  // namespace glissade

@@ -1,0 +1,204 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <optional>
+
+#include "commands.hpp"
+#include "glissade/building/modes.hpp"
+#include "glissade/core/error.hpp"
+#include "glissade/core/wrap.hpp"
+#include "glissade/io/mode_file.hpp"
+#include "glissade/motion/design_spectrum.hpp"
+#include "glissade/motion/improbable.hpp"
+#include "glissade/report/table.hpp"
+#include "glissade/standards/floor_acceleration.hpp"
+#include "put.hpp"
+
+namespace glissade::cli {
+namespace {
+
+constexpr std::size_t most_storeys = 200;
+
+struct BuildingOptions {
+  std::string modes;
+  double period_s = 0.0;
+  std::optional<double> alpha, sds_g, sd1_g;
+  std::optional<std::size_t> storeys;
+  std::vector<double> masses, stiffnesses;
+  double tl_s = 8.0;
+  bool json = false;
+};
+
+/// So many equal storeys, with the first period stated.
+std::vector<Mode> equal_storeys(double period_s, std::size_t storeys) {
+  const std::vector<double> ones(storeys, 1.0);
+  std::vector<Mode> modes = shear_building_modes(ones, ones);
+  const double scale = period_s / modes.front().period_s;
+  for (Mode& mode : modes) mode.period_s *= scale;
+  return modes;
+}
+
+std::vector<Mode> modes_of(const BuildingOptions& o) {
+  if (!o.modes.empty()) return read_modes(o.modes);
+  if (!o.masses.empty() || !o.stiffnesses.empty())
+    return shear_building_modes(o.masses, o.stiffnesses);
+  if (!(o.period_s > 0.0))
+    throw InputError(
+        {"--period-s", "there is no building",
+         "give --period-s with --alpha or --storeys, or --masses and --stiffnesses, or "
+         "--modes FILE.csv",
+         ""});
+  if (o.storeys) return equal_storeys(o.period_s, *o.storeys);
+  if (!o.alpha)
+    throw InputError({"--period-s", "a period alone is no building of several storeys",
+                      "give --storeys, or --alpha: 0 to 2 walls, 5 to 10 walls with frames, 20 to "
+                      "30 frames",
+                      ""});
+  constexpr std::size_t enough = 20;
+  return cantilever_modes(o.period_s, *o.alpha, enough);
+}
+
+/// Peak accelerations of the roof under a design spectrum, in g.
+struct FloorAccelerations {
+  double by_modes, one_mass, asce7_16, asce7_22;
+};
+
+/// SRSS of the modes, and of what is left out, which moves with the ground.
+FloorAccelerations roof_acceleration(const std::vector<Mode>& modes,
+                                     const DesignSpectrum& spectrum) {
+  double sum = 0.0, left = 1.0;
+  for (const Mode& mode : modes) {
+    sum += std::pow(mode.participation * spectrum.sa_g(mode.period_s), 2);
+    left -= mode.participation;
+  }
+  sum += std::pow(left * spectrum.sa_g(0.0), 2);
+  const double period_s = modes.front().period_s;
+  return {std::sqrt(sum), spectrum.sa_g(period_s), asce7_16_floor_acceleration_g(spectrum.sds_g),
+          asce7_22_floor_acceleration_g(spectrum.sds_g, period_s)};
+}
+
+std::vector<std::string> warnings_on(const std::vector<Mode>& modes) {
+  constexpr double least_mass = 0.9, most_left = 0.25;
+  std::vector<std::string> warnings;
+  double participation = 0.0;
+  for (const Mode& mode : modes) participation += mode.participation;
+  if (mass_of(modes) < least_mass)
+    warnings.push_back(
+        fmt::format("the modes carry {:.0f} % of the mass: below 90 % modes are missing",
+                    100 * mass_of(modes)));
+  if (std::abs(participation - 1.0) > most_left)
+    warnings.push_back(
+        fmt::format("the participations are {:.3g} together, far from 1: modes are missing, or "
+                    "they are not those at the array",
+                    participation));
+  return warnings;
+}
+
+Table modes_table(const std::vector<Mode>& modes, std::size_t all) {
+  Table table{"modes",
+              "Modes along one axis, at the array",
+              {{"mode", "", "Mode", ColumnKind::count},
+               {"period", "s", "Period, s", ColumnKind::number, "", false, 4},
+               {"participation", "", "Participation", ColumnKind::number, "", false, 4},
+               {"mass_share", "", "Mass share", ColumnKind::number, "", false, 4},
+               {"mass_so_far", "", "so far", ColumnKind::number, "", false, 4}},
+              {}};
+  double mass = 0.0;
+  for (const Mode& mode : modes) {
+    mass += mode.mass_share;
+    table.add({static_cast<double>(table.rows.size() + 1), mode.period_s, mode.participation,
+               mode.mass_share, mass});
+  }
+  if (all > modes.size())
+    table.notes.push_back(
+        fmt::format("The first {} of {}: 95 % of the mass, or periods above 0.05 s, at most six.",
+                    modes.size(), all));
+  return table;
+}
+
+using Json = nlohmann::ordered_json;
+
+void run(const BuildingOptions& o) {
+  const std::vector<Mode> all = modes_of(o), modes = governing_modes(all);
+  const std::vector<std::string> warnings = warnings_on(all);
+  std::optional<FloorAccelerations> roof;
+  if (o.sds_g)
+    roof = roof_acceleration(modes, {*o.sds_g, o.sd1_g.value_or(0.6 * *o.sds_g), o.tl_s});
+  if (o.json) {
+    Json json{{"modes", Json::array()}, {"warnings", warnings}};
+    for (const Mode& mode : modes)
+      json["modes"].push_back({{"period_s", mode.period_s},
+                               {"participation", mode.participation},
+                               {"mass_share", mode.mass_share}});
+    if (roof)
+      json["peak_roof_acceleration_g"] = {{"modes", roof->by_modes},
+                                          {"one_mass", roof->one_mass},
+                                          {"asce7_16", roof->asce7_16},
+                                          {"asce7_22", roof->asce7_22}};
+    return put_json(json);
+  }
+  put("{}\n", to_text(modes_table(modes, all.size())));
+  for (const std::string& warning : warnings)
+    put("{}\n", wrapped("WARNING: " + warning, terminal_width, 2));
+  if (!roof) return;
+  put("Peak roof acceleration under the design spectrum, S_DS = {:g} g\n"
+      "  modes (SRSS)                        {:.3g} g\n"
+      "  one mass of the first period        {:.3g} g\n"
+      "  ASCE 7-16, 0.4 S_DS (1 + 2 z/h)     {:.3g} g   [recalled]\n"
+      "  ASCE 7-22, 0.4 S_DS H_f             {:.3g} g   [recalled]\n",
+      *o.sds_g, roof->by_modes, roof->one_mass, roof->asce7_16, roof->asce7_22);
+  put("\n{}\n",
+      wrapped(fmt::format("A study with [building] period_s = {:.3g} computes one mass, whose peak "
+                          "roof acceleration is {:.2g} times that of the modes. For a building of "
+                          "two or more storeys use motions of its roof (suites/README.md).",
+                          modes.front().period_s, roof->one_mass / roof->by_modes),
+              terminal_width, 0));
+}
+
+}  // namespace
+
+void add_building(CLI::App& program) {
+  auto o = std::make_shared<BuildingOptions>();
+  CLI::App* command = program.add_subcommand(
+      "building", "Modes of a building of several storeys, and how much its roof amplifies");
+  command->add_option("--period-s", o->period_s, "first period, with --alpha or --storeys")
+      ->check(CLI::PositiveNumber);
+  CLI::Option* alpha =
+      command
+          ->add_option("--alpha", o->alpha,
+                       "uniform cantilever of flexure and shear: 0 to 2 walls, 5 to 10 walls with "
+                       "frames, 20 to 30 frames")
+          ->check(CLI::Range(0.0, largest_alpha));
+  CLI::Option* storeys =
+      command->add_option("--storeys", o->storeys, "shear building of so many equal storeys")
+          ->check(CLI::Range(std::size_t{1}, most_storeys))
+          ->excludes(alpha);
+  CLI::Option* masses =
+      command
+          ->add_option("--masses", o->masses,
+                       "shear building: mass of each floor from the ground up (t with kN/m, kg "
+                       "with N/m)")
+          ->excludes(alpha)
+          ->excludes(storeys);
+  command->add_option("--stiffnesses", o->stiffnesses, "stiffness of each storey, likewise")
+      ->needs(masses);
+  command->add_option("--modes", o->modes, "CSV with period_s, participation and mass_share")
+      ->excludes(alpha)
+      ->excludes(storeys)
+      ->excludes(masses);
+  CLI::Option* sds =
+      command->add_option("--sds-g", o->sds_g, "S_DS of the site: the roof's peak acceleration")
+          ->check(CLI::Range(1e-3, most_possible_g));
+  command->add_option("--sd1-g", o->sd1_g, "S_D1 [0.6 S_DS]")
+      ->check(CLI::Range(1e-3, most_possible_g))
+      ->needs(sds);
+  command->add_option("--tl-s", o->tl_s, "long-period transition")
+      ->check(CLI::PositiveNumber)
+      ->needs(sds);
+  command->add_flag("--json", o->json, "print one JSON object");
+  command->callback([o] { run(*o); });
+}
+
+}  // namespace glissade::cli

@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "glissade/building/modes.hpp"
+
+#include <gmock/gmock.h>
+
+#include <Eigen/Dense>
+#include <boost/math/constants/constants.hpp>
+#include <boost/multiprecision/cpp_bin_float.hpp>
+#include <cmath>
+#include <numbers>
+
+#include "glissade/core/error.hpp"
+
+namespace glissade {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+using Digits100 = boost::multiprecision::cpp_bin_float_100;
+
+/// The equations as they are published, in 100 digits: the root by bisection, the integrals by
+/// Simpson's rule.
+class ReferenceCantilever {
+ public:
+  explicit ReferenceCantilever(double alpha) : alpha_(alpha) {}
+
+  Mode mode(int n) const {
+    const Digits100 g = root(n), b = beta(g);
+    const Digits100 eta = (g * g * sin(g) + g * b * sinh(b)) / (g * g * cos(g) + b * b * cosh(b));
+    const auto shape = [&](const Digits100& x) {
+      return Digits100(sin(g * x) - g / b * sinh(b * x) - eta * cos(g * x) + eta * cosh(b * x));
+    };
+    constexpr int parts = 1000;
+    Digits100 mean = 0, square = 0;
+    for (int i = 0; i <= parts; ++i) {
+      const Digits100 y = shape(Digits100(i) / parts);
+      const int weight = i == 0 || i == parts ? 1 : i % 2 == 1 ? 4 : 2;
+      mean += weight * y / (3 * parts);
+      square += weight * y * y / (3 * parts);
+    }
+    const Digits100 first = root(0);
+    return {static_cast<double>(first * beta(first) / (g * b)),
+            static_cast<double>(shape(1) * mean / square),
+            static_cast<double>(mean * mean / square)};
+  }
+
+ private:
+  Digits100 beta(const Digits100& g) const { return sqrt(alpha_ * alpha_ + g * g); }
+  Digits100 free_end(const Digits100& g) const {
+    const Digits100 b = beta(g), ratio = alpha_ * alpha_ / (g * b);
+    return 2 + (2 + ratio * ratio) * cos(g) * cosh(b) + ratio * sin(g) * sinh(b);
+  }
+  Digits100 root(int n) const {
+    const Digits100 pi = boost::math::constants::pi<Digits100>();
+    Digits100 low = n == 0 ? Digits100(1e-3) : n * pi, high = (n + 1) * pi;
+    const bool is_above = free_end(low) > 0;
+    for (int i = 0; i < 120; ++i) {
+      const Digits100 middle = (low + high) / 2;
+      ((free_end(middle) > 0) == is_above ? low : high) = middle;
+    }
+    return low;
+  }
+  Digits100 alpha_;
+};
+
+TEST(cantilever_modes, are_those_of_a_hundred_digits) {
+  for (const double alpha : {0.5, 2.0, 10.0, 30.0}) {
+    const std::vector<Mode> modes = cantilever_modes(1.0, alpha, 5);
+    const ReferenceCantilever reference(alpha);
+    for (int n = 0; n < 5; ++n) {
+      SCOPED_TRACE(testing::Message() << "alpha " << alpha << ", mode " << n + 1);
+      const Mode expected = reference.mode(n), found = modes[static_cast<std::size_t>(n)];
+      EXPECT_NEAR(found.period_s, expected.period_s, 1e-12);
+      EXPECT_NEAR(found.participation, expected.participation, 2e-8);  // Simpson's error
+      EXPECT_NEAR(found.mass_share, expected.mass_share, 2e-8);
+    }
+  }
+}
+
+TEST(cantilever_modes, of_flexure_alone_are_the_classical_beam) {
+  // cos(gamma) cosh(gamma) = -1 (Chopra 2017, section 17.1).
+  const std::vector<Mode> modes = cantilever_modes(1.0, 0.0, 3);
+  const double gamma[] = {1.8751040687119611, 4.6940911329741746, 7.8547574382376126};
+  for (int n = 0; n < 3; ++n)
+    EXPECT_NEAR(modes[static_cast<std::size_t>(n)].period_s, std::pow(gamma[0] / gamma[n], 2),
+                1e-12);
+  EXPECT_NEAR(modes[0].participation, 1.5660, 5e-5);
+  EXPECT_NEAR(modes[0].mass_share, 0.6131, 5e-5);
+}
+
+TEST(cantilever_modes, of_much_shear_are_the_uniform_shear_beam) {
+  const std::vector<Mode> modes = cantilever_modes(1.0, largest_alpha, 4);
+  for (int n = 0; n < 4; ++n) {
+    const double odd = 2 * n + 1, sign = n % 2 == 0 ? 1 : -1;
+    const Mode& mode = modes[static_cast<std::size_t>(n)];
+    EXPECT_NEAR(mode.period_s, 1 / odd, 1e-3);
+    EXPECT_NEAR(mode.participation, sign * 4 / (pi * odd), 4e-3);
+    EXPECT_NEAR(mode.mass_share, 8 / (pi * pi * odd * odd), 2e-3);
+  }
+}
+
+TEST(cantilever_modes, of_all_modes_have_the_whole_mass_and_the_ground_s_motion) {
+  for (const double alpha : {0.0, 3.0, 40.0}) {
+    const std::vector<Mode> modes = cantilever_modes(1.0, alpha, 60);
+    double participation = 0.0;
+    for (const Mode& mode : modes) participation += mode.participation;
+    EXPECT_NEAR(mass_of(modes), 1.0, 0.02) << alpha;
+    // The terms alternate and fall as 1/n: half of the last is what is missing.
+    EXPECT_NEAR(participation - 0.5 * modes.back().participation, 1.0, 1e-3) << alpha;
+  }
+}
+
+TEST(shear_building_modes, of_equal_storeys_are_those_in_closed_form) {
+  constexpr int storeys = 6;
+  const std::vector<double> masses(storeys, 3.0), stiffnesses(storeys, 700.0);
+  const std::vector<Mode> modes = shear_building_modes(masses, stiffnesses);
+  ASSERT_EQ(modes.size(), 6u);
+  for (int n = 0; n < storeys; ++n) {
+    const double omega =
+        2 * std::sqrt(700.0 / 3.0) * std::sin((2 * n + 1) * pi / (4 * storeys + 2));
+    EXPECT_NEAR(modes[static_cast<std::size_t>(n)].period_s, 2 * pi / omega, 1e-12);
+  }
+}
+
+/// The modes' sum is the building: its static response to a force on the array's floor, and its
+/// response to a harmonic ground motion, as the full matrices give them.
+TEST(shear_building_modes, superposed_are_the_full_matrices) {
+  const std::vector<double> masses{4.0, 3.0, 2.5, 1.0}, stiffnesses{900.0, 800.0, 500.0, 300.0};
+  const std::vector<Mode> modes = shear_building_modes(masses, stiffnesses);
+  Eigen::Matrix4d k = Eigen::Matrix4d::Zero();
+  Eigen::Vector4d m(masses.data());
+  for (int i = 0; i < 4; ++i) {
+    k(i, i) += stiffnesses[static_cast<std::size_t>(i)];
+    if (i > 0) {
+      k(i - 1, i - 1) += stiffnesses[static_cast<std::size_t>(i)];
+      k(i, i - 1) = k(i - 1, i) = -stiffnesses[static_cast<std::size_t>(i)];
+    }
+  }
+  const Eigen::Vector4d force = Eigen::Vector4d::Unit(3);
+  double by_modes = 0.0, participation = 0.0;
+  for (const Mode& mode : modes) {
+    const double omega = 2 * pi / mode.period_s;
+    // gamma^2 F / (e M omega^2)
+    by_modes +=
+        mode.participation * mode.participation / (mode.mass_share * m.sum() * omega * omega);
+    participation += mode.participation;
+  }
+  EXPECT_NEAR(by_modes, k.llt().solve(force)[3], 1e-14);
+  EXPECT_NEAR(participation, 1.0, 1e-13);
+  EXPECT_NEAR(mass_of(modes), 1.0, 1e-13);
+  for (const double omega : {1.0, 7.0, 15.0}) {
+    const Eigen::Matrix4d dynamic = k - omega * omega * Eigen::Matrix4d(m.asDiagonal());
+    const double roof = dynamic.lu().solve(Eigen::Vector4d(-m))[3];
+    double sum = 0.0;
+    for (const Mode& mode : modes) {
+      const double omega_n = 2 * pi / mode.period_s;
+      sum -= mode.participation / (omega_n * omega_n - omega * omega);
+    }
+    EXPECT_NEAR(sum, roof, 1e-12 * std::abs(roof) + 1e-14) << omega;
+  }
+}
+
+TEST(shear_building_modes, refuse_storeys_without_mass_or_stiffness) {
+  const std::vector<double> one{1.0}, two{1.0, 1.0}, zero{1.0, 0.0};
+  EXPECT_THROW(shear_building_modes({}, {}), InputError);
+  EXPECT_THROW(shear_building_modes(one, two), InputError);
+  EXPECT_THROW(shear_building_modes(two, zero), InputError);
+  EXPECT_THROW(shear_building_modes(zero, two), InputError);
+}
+
+TEST(governing_modes, carry_95_percent_or_are_slow_enough_and_are_six_at_most) {
+  // Uniform shear: 81, 90, 93.3, 95.0 %.
+  const std::vector<double> ones(40, 1.0);
+  EXPECT_EQ(governing_modes(shear_building_modes(ones, ones)).size(), 4u);
+  EXPECT_EQ(governing_modes(cantilever_modes(9.0, 0.0, 20)).size(), 6u);
+  EXPECT_EQ(governing_modes(cantilever_modes(0.2, 0.0, 20)).size(), 1u);  // 0.2, 0.032 s
+  EXPECT_EQ(governing_modes(cantilever_modes(0.01, 0.0, 20)).size(), 1u);
+}
+
+}  // namespace
+}  // namespace glissade
