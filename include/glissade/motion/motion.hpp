@@ -60,6 +60,8 @@ struct Suite {
   /// The file states that its records were selected as the nearest to a target spectrum: they
   /// scatter less than recorded motions.
   bool nearest_to_target = false;
+  /// Motions of a roof or floor, not of the ground: nothing stands between them and the array.
+  bool of_roof = false;
 };
 
 }  // namespace glissade

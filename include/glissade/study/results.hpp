@@ -59,6 +59,7 @@ struct SuiteSummary {
   std::string name, description;
   std::string target;  ///< "ASCE 7-16, S_S 1.5 g, S_1 0.6 g, site class D"; empty without one
   SuiteSpectra spectra;
+  bool of_roof = false;  ///< as that of Suite
 };
 
 /// What the analyses found, each in its own part.

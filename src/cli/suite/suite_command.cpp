@@ -67,6 +67,7 @@ void show(const SuiteOptions& o) {
     put("\n");
     for (const std::string& warning : improbable_values(*suite.target)) warn(warning);
   }
+  if (suite.of_roof) put("motions of a roof: used as they are, without a building\n");
   if (suite.nearest_to_target)
     put("selected as the nearest to a target spectrum: the motions scatter less\n");
   for (const Motion& motion : suite.motions) {

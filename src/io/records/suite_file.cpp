@@ -166,7 +166,11 @@ Suite read_recorded_suite(const std::filesystem::path& file, TomlDocument& docum
   suite.name = head.required_text("name");
   suite.description = head.text("description").value_or("");
   suite.nearest_to_target = read_selection(head);
+  suite.of_roof = head.choice<bool>("motions", {{"ground", false}, {"roof", true}}).value_or(false);
   suite.target = read_optional_target(root);
+  if (suite.of_roof && suite.target)
+    root.report("target", "motions = \"roof\", and [target] is a spectrum of the ground",
+                "leave out [target]: motions of a roof are used as they are");
   const std::vector<TomlTable> records = root.tables("record");
   if (records.empty())
     root.report_missing("record", "give [[record]] entries, or [simulation] and [[motion]]");

@@ -156,6 +156,7 @@ void exchange_suites(const Archive& archive, const IntensityScale& scale, Suites
   column("description", {"-", "what it is"}, &SuiteSummary::description);
   column("target", {"-", "edition, site and class of its design spectrum; empty without one"},
          &SuiteSummary::target);
+  column("of_roof", {"-", "1: motions of a roof, used without a building"}, &SuiteSummary::of_roof);
   for (std::size_t i = 0; i < suites.size(); ++i) {
     const auto group = archive.group("spectra_" + std::to_string(i));
     group.attribute("reference_level" + scale.suffix, suites[i].spectra.reference_level);

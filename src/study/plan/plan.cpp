@@ -155,6 +155,7 @@ void list_cases(Plan& plan) {
 void hash_suite(Hasher& hasher, const Suite& suite) {
   hasher.text(suite.name).text(suite.description);
   hasher.number(static_cast<double>(suite.nearest_to_target));
+  if (suite.of_roof) hasher.text("of_roof");
   hash_target(hasher, suite.target);
 }
 

@@ -51,6 +51,36 @@ void check_model(const StudyConfig& config, const std::vector<Suite>& suites,
   }
 }
 
+/// What needs the ground, or a building below the motions.
+void check_roof_motions(const StudyConfig& config, const std::vector<Suite>& suites,
+                        ProblemList& problems) {
+  const auto roof = std::ranges::find(suites, true, &Suite::of_roof);
+  if (roof == suites.end()) return;
+  const std::string where =
+      config.suite_files[static_cast<std::size_t>(roof - suites.begin())].string();
+  const auto refuse = [&](const std::string& what, const char* remedy) {
+    problems.add({where, "has motions of a roof: " + what, remedy, ""});
+  };
+  if (!std::ranges::all_of(suites, &Suite::of_roof))
+    refuse("the other suites of the study are of the ground", "make a study for each");
+  const IntensityMeasure measure = config.intensity.measure;
+  if (measure != IntensityMeasure::factor && measure != IntensityMeasure::pga_g &&
+      measure != IntensityMeasure::ppa_g)
+    refuse(fmt::format("measure = \"{}\" is of the ground", measure.key()),
+           "measure by factor (levels = [1.0]: as they are), or by pga_g, their own peak");
+  const Quantities without;
+  for (std::size_t i = 0; i < parameters().size(); ++i) {
+    const Parameter& p = parameters()[i];
+    const bool is_of_building = p.table == std::string("building") ||
+                                (p.table == std::string("vertical") && p.key != std::string("use"));
+    if (is_of_building && !config.quantities[i].is_always(without[i].values.front()))
+      refuse(fmt::format("{}.{} is of a building below them", p.table, p.key),
+             "leave it out: the building is in the motions");
+  }
+  if (config.base_shear)
+    refuse("[base_shear] is of a building below them", "leave out [base_shear]");
+}
+
 void check_motion(const StudyConfig& config, const Motion& motion, const std::string& where,
                   ProblemList& problems) {
   const bool has_second = !motion.horizontal_mps2[1].empty();
@@ -150,6 +180,7 @@ bool gives_clearance(const Plan& plan) {
 }
 
 std::optional<MissedTarget> missed_target(const Plan& plan, std::size_t suite) {
+  if (plan.suites[suite].of_roof) return {};  // they are what was designed for
   const bool by_sds = plan.config.intensity.measure == IntensityMeasure::sds_g;
   if (!plan.config.intensity.measure.is_of_design_spectrum())
     return MissedTarget{"levels of " + std::string(plan.config.intensity.measure.key()) +
@@ -242,6 +273,8 @@ void check_clearance(const Plan& plan) {
 
 void check_fit(const StudyConfig& config, const std::vector<Suite>& suites) {
   ProblemList problems;
+  check_roof_motions(config, suites, problems);
+  problems.throw_if_any();
   check_model(config, suites, problems);
   std::size_t records = 0;
   for (const Suite& suite : suites) records += suite.motions.size();

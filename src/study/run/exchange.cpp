@@ -36,7 +36,7 @@ PackedSuites pack(const std::vector<Suite>& suites) {
   const auto put = [&](const auto& part) { out.put(part); };
   out.put(suites.size());
   for (const Suite& suite : suites) {
-    out.put(suite.name).put(suite.description).put(suite.nearest_to_target);
+    out.put(suite.name).put(suite.description).put(suite.nearest_to_target).put(suite.of_roof);
     out.put(suite.motions.size());
     for (const Motion& m : suite.motions) {
       for_each_part(m, put);
@@ -60,7 +60,8 @@ std::vector<Suite> unpack_suites(std::span<const char> headers,
   in.get(suites);
   std::vector<Suite> all(suites);
   for (Suite& suite : all) {
-    in.get(suite.name).get(suite.description).get(suite.nearest_to_target).get(motions);
+    in.get(suite.name).get(suite.description).get(suite.nearest_to_target).get(suite.of_roof);
+    in.get(motions);
     suite.motions.resize(motions);
     for (Motion& m : suite.motions) {
       for_each_part(m, get);

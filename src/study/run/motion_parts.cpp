@@ -164,7 +164,8 @@ SuiteSummary suite_of(const Plan& plan, std::size_t suite, const std::vector<dou
     for (const double period : spectra.periods_s) spectra.target_g.push_back(target(period));
   }
   if (!ratios.empty()) spectra.to_target = {{ratios[0], ratios[1]}, {ratios[2], ratios[3]}};
-  return {plan.suites[suite].name, plan.suites[suite].description, target_name, std::move(spectra)};
+  const Suite& of = plan.suites[suite];
+  return {of.name, of.description, target_name, std::move(spectra), of.of_roof};
 }
 
 }  // namespace

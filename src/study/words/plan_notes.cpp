@@ -205,7 +205,10 @@ std::vector<Skip> skips_of(const Plan& plan) {
   if (config.vertical == std::vector{VerticalChoice::none})
     skips.push_back({"vertical ground motion", "[vertical] use = \"none\"", pairs});
   if (std::ranges::all_of(plan.cases.all(), [](const Case& c) { return c.period_s == 0.0; }))
-    skips.push_back({"roof motions filtered by a building", "the building is rigid", pairs});
+    skips.push_back({"roof motions filtered by a building",
+                     plan.suites.front().of_roof ? "the motions are those of the roof"
+                                                 : "the building is rigid",
+                     pairs});
   if (plan.order.size() < plan.cases.size()) {
     skips.push_back({"histories of cases that mirror another, or are the same",
                      "they are those of that case",

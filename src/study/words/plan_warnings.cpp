@@ -179,13 +179,25 @@ Warnings nearest_records(const Plan& plan) {
   return warnings;
 }
 
+/// A roof has its own axes: components that are swapped, mirrored or turned are of another
+/// building.
+Warnings turned_roofs(const Plan& plan) {
+  if (!plan.suites.front().of_roof ||
+      plan.config.orientation.choice == OrientationChoice::as_recorded)
+    return {};
+  return {
+      "the motions are of a roof, along the axes of its building, and [orientation] swaps, mirrors "
+      "or turns them: choice = \"as_recorded\" keeps them"};
+}
+
 }  // namespace
 
 std::vector<std::string> warnings_on(const Plan& plan) {
   std::vector<std::string> warnings;
-  for (const auto warning : {without_target, one_axis, strong_levels, missed_targets, target_values,
-                             improbable_buildings, period_gaps, low_friction, high_friction,
-                             free_sliding, other_targets, same_motions, motions, nearest_records}) {
+  for (const auto warning :
+       {without_target, one_axis, strong_levels, missed_targets, target_values,
+        improbable_buildings, period_gaps, low_friction, high_friction, free_sliding, other_targets,
+        same_motions, motions, nearest_records, turned_roofs}) {
     for (std::string& text : warning(plan)) warnings.push_back(std::move(text));
   }
   for_each_analysis(Analyses(), [&](auto analysis) {

@@ -70,6 +70,19 @@ second = { file = "b.txt", units = "cm/s2" }
   EXPECT_TRUE(motion.vertical_mps2.empty());
 }
 
+TEST_F(SuiteFile, motions_are_of_the_ground_or_of_a_roof_which_has_no_target) {
+  folder_.write("suites/a.txt", "# acceleration_g\n1\n2\n");
+  const std::string record =
+      "[[record]]\nid = \"one\"\nfirst = { file = \"a.txt\", dt_s = 0.01 }\n";
+  EXPECT_FALSE(load(head + record).of_roof);
+  EXPECT_FALSE(load(head + "motions = \"ground\"\n" + record).of_roof);
+  EXPECT_TRUE(load(head + "motions = \"roof\"\n" + record).of_roof);
+  const std::string target =
+      "[target]\nedition = \"asce7_16\"\nss_g = 1.5\ns1_g = 0.6\nsite_class = \"D\"\n";
+  refuses({{head + "motions = \"roof\"\n" + record + target, "suite.toml:8", {"[target]"}},
+           {head + "motions = \"floor\"\n" + record, "suite.toml:4", {"ground", "roof"}}});
+}
+
 TEST_F(SuiteFile, components_of_one_file_are_named_behind_it) {
   folder_.write("suites/floor.csv", "time_s,ax_g,ay_g,az_g\n0,.1,.2,.3\n0.01,.4,.5,.6\n");
   const std::string record = "[[record]]\nid = \"a\"\nfirst = \"floor.csv#ax\"\n";

@@ -16,7 +16,7 @@ TEST(exchange, brings_suites_over_to_the_last_bit) {
   std::vector<Suite> suites{small_suite(), small_suite()};
   suites[1].name = "other";
   suites[1].target.reset();
-  suites[1].nearest_to_target = true;
+  suites[1].nearest_to_target = suites[1].of_roof = true;
   suites[1].motions[0].contradictions = {"one", "other"};
   suites[1].motions[0].starts_are_assumed = true;
   suites[1].motions[1].vertical_mps2 = suites[1].motions[0].vertical_mps2;  // sent once
@@ -32,6 +32,7 @@ TEST(exchange, brings_suites_over_to_the_last_bit) {
   EXPECT_EQ(copy[1].name, "other");
   EXPECT_FALSE(copy[1].target.has_value());
   EXPECT_TRUE(copy[1].nearest_to_target);
+  EXPECT_TRUE(copy[1].of_roof);
   EXPECT_TRUE(copy[1].motions[0].starts_are_assumed);
   EXPECT_EQ(copy[1].motions[1].vertical_mps2, suites[1].motions[0].vertical_mps2);
   EXPECT_EQ(copy[1].motions[0].contradictions, suites[1].motions[0].contradictions);

@@ -36,6 +36,8 @@ std::string range_text(const Range<double>& range, const std::string& unit) {
 std::string building_text(const Results& results) {
   const std::vector<Case>& cases = results.cases.cases;
   const Range<double> period = range_of(cases, &Case::period_s);
+  if (results.suites.front().of_roof)
+    return "In the motions, which are those of its roof: no building is computed.";
   if (period.max == 0.0) return "Rigid: the roof moves as the ground does.";
   const bool yields = !results.model.building.empty();
   const Range<double> mass = range_of(cases, &Case::mass_ratio);

@@ -24,7 +24,8 @@ std::string suites_text(const Results& results) {
 
 Table records_table(const Results& results) {
   Table table{"records",
-              "Ground motions of " + suites_text(results) +
+              std::string(results.suites.front().of_roof ? "Roof" : "Ground") + " motions of " +
+                  suites_text(results) +
                   ". PGA, PGV and PGD are geometric means of the horizontals as recorded, D5-95 "
                   "the time from 5 to 95 % of the integral of their a^2; factor at unit level is "
                   "what the record is multiplied by at level 1 (0: depends on the roof); 0 in "
