@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <cstdlib>
 #include <nlohmann/json.hpp>
 #include <optional>
 
@@ -20,6 +21,17 @@ namespace glissade::cli {
 namespace {
 
 constexpr std::size_t most_storeys = 200;
+
+/// CLI's own ranges take "nan", and print their ends with all digits.
+CLI::Validator from_to(double least, double most) {
+  return {[least, most](const std::string& text) {
+            const double value = std::strtod(text.c_str(), nullptr);
+            return value >= least && value <= most
+                       ? std::string()
+                       : fmt::format("{} is not from {:g} to {:g}", text, least, most);
+          },
+          fmt::format("{:g} to {:g}", least, most)};
+}
 
 struct BuildingOptions {
   std::string modes;
@@ -46,7 +58,7 @@ std::vector<Mode> modes_of(const BuildingOptions& o) {
     return shear_building_modes(o.masses, o.stiffnesses);
   if (!(o.period_s > 0.0))
     throw InputError(
-        {"--period-s", "there is no building",
+        {"--period-s", "is missing, and what stands for it",
          "give --period-s with --alpha or --storeys, or --masses and --stiffnesses, or "
          "--modes FILE.csv",
          ""});
@@ -79,8 +91,8 @@ FloorAccelerations roof_acceleration(const std::vector<Mode>& modes,
           asce7_22_floor_acceleration_g(spectrum.sds_g, period_s)};
 }
 
-std::vector<std::string> warnings_on(const std::vector<Mode>& modes) {
-  constexpr double least_mass = 0.9, most_left = 0.25;
+std::vector<std::string> warnings_on(const BuildingOptions& o, const std::vector<Mode>& modes) {
+  constexpr double least_mass = 0.9 - 1e-9, most_left = 0.25;
   std::vector<std::string> warnings;
   double participation = 0.0;
   for (const Mode& mode : modes) participation += mode.participation;
@@ -93,6 +105,13 @@ std::vector<std::string> warnings_on(const std::vector<Mode>& modes) {
         fmt::format("the participations are {:.3g} together, far from 1: modes are missing, or "
                     "they are not those at the array",
                     participation));
+  constexpr double shortest_s = 0.01, longest_s = 30.0;
+  if (!(modes.back().period_s > 0.0 && modes.front().period_s < longest_s) ||
+      modes.front().period_s < shortest_s)
+    warnings.push_back(fmt::format("no building has a first period of {:g} s: check the units",
+                                   modes.front().period_s));
+  if (o.sd1_g && *o.sd1_g > 1.5 * *o.sds_g)
+    warnings.emplace_back("S_D1 above 1.5 S_DS is no design spectrum of a site");
   return warnings;
 }
 
@@ -112,9 +131,10 @@ Table modes_table(const std::vector<Mode>& modes, std::size_t all) {
                mode.mass_share, mass});
   }
   if (all > modes.size())
-    table.notes.push_back(
-        fmt::format("The first {} of {}: 95 % of the mass, or periods above 0.05 s, at most six.",
-                    modes.size(), all));
+    table.notes.push_back(fmt::format(
+        "The first {} of {}: 95 % of the mass, or periods above 0.05 s, at most six. The "
+        "accelerations are of all.",
+        modes.size(), all));
   return table;
 }
 
@@ -122,13 +142,12 @@ using Json = nlohmann::ordered_json;
 
 void run(const BuildingOptions& o) {
   const std::vector<Mode> all = modes_of(o), modes = governing_modes(all);
-  const std::vector<std::string> warnings = warnings_on(all);
+  const std::vector<std::string> warnings = warnings_on(o, all);
   std::optional<FloorAccelerations> roof;
-  if (o.sds_g)
-    roof = roof_acceleration(modes, {*o.sds_g, o.sd1_g.value_or(0.6 * *o.sds_g), o.tl_s});
+  if (o.sds_g) roof = roof_acceleration(all, {*o.sds_g, o.sd1_g.value_or(0.6 * *o.sds_g), o.tl_s});
   if (o.json) {
-    Json json{{"modes", Json::array()}, {"warnings", warnings}};
-    for (const Mode& mode : modes)
+    Json json{{"modes", Json::array()}, {"governing", modes.size()}, {"warnings", warnings}};
+    for (const Mode& mode : all)
       json["modes"].push_back({{"period_s", mode.period_s},
                                {"participation", mode.participation},
                                {"mass_share", mode.mass_share}});
@@ -149,6 +168,7 @@ void run(const BuildingOptions& o) {
       "  ASCE 7-16, 0.4 S_DS (1 + 2 z/h)     {:.3g} g   [recalled]\n"
       "  ASCE 7-22, 0.4 S_DS H_f             {:.3g} g   [recalled]\n",
       *o.sds_g, roof->by_modes, roof->one_mass, roof->asce7_16, roof->asce7_22);
+  if (all.size() == 1) return;
   put("\n{}\n",
       wrapped(fmt::format("A study with [building] period_s = {:.3g} computes one mass, whose peak "
                           "roof acceleration is {:.2g} times that of the modes. For a building of "
@@ -163,14 +183,15 @@ void add_building(CLI::App& program) {
   auto o = std::make_shared<BuildingOptions>();
   CLI::App* command = program.add_subcommand(
       "building", "Modes of a building of several storeys, and how much its roof amplifies");
-  command->add_option("--period-s", o->period_s, "first period, with --alpha or --storeys")
-      ->check(CLI::PositiveNumber);
+  CLI::Option* period =
+      command->add_option("--period-s", o->period_s, "first period, with --alpha or --storeys")
+          ->check(from_to(0.01, 30.0));
   CLI::Option* alpha =
       command
           ->add_option("--alpha", o->alpha,
                        "uniform cantilever of flexure and shear: 0 to 2 walls, 5 to 10 walls with "
                        "frames, 20 to 30 frames")
-          ->check(CLI::Range(0.0, largest_alpha));
+          ->check(from_to(0.0, largest_alpha));
   CLI::Option* storeys =
       command->add_option("--storeys", o->storeys, "shear building of so many equal storeys")
           ->check(CLI::Range(std::size_t{1}, most_storeys))
@@ -181,21 +202,23 @@ void add_building(CLI::App& program) {
                        "shear building: mass of each floor from the ground up (t with kN/m, kg "
                        "with N/m)")
           ->excludes(alpha)
-          ->excludes(storeys);
+          ->excludes(storeys)
+          ->excludes(period);
   command->add_option("--stiffnesses", o->stiffnesses, "stiffness of each storey, likewise")
       ->needs(masses);
   command->add_option("--modes", o->modes, "CSV with period_s, participation and mass_share")
       ->excludes(alpha)
       ->excludes(storeys)
-      ->excludes(masses);
+      ->excludes(masses)
+      ->excludes(period);
   CLI::Option* sds =
       command->add_option("--sds-g", o->sds_g, "S_DS of the site: the roof's peak acceleration")
-          ->check(CLI::Range(1e-3, most_possible_g));
+          ->check(from_to(1e-3, most_possible_g));
   command->add_option("--sd1-g", o->sd1_g, "S_D1 [0.6 S_DS]")
-      ->check(CLI::Range(1e-3, most_possible_g))
+      ->check(from_to(1e-3, most_possible_g))
       ->needs(sds);
   command->add_option("--tl-s", o->tl_s, "long-period transition")
-      ->check(CLI::PositiveNumber)
+      ->check(from_to(1.0, 30.0))
       ->needs(sds);
   command->add_flag("--json", o->json, "print one JSON object");
   command->callback([o] { run(*o); });

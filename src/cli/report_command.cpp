@@ -38,7 +38,7 @@ std::string report_again(const ReportOptions& o) {
   Results results = o.study.empty() ? read_results(file) : read_histories(file);
   std::vector<Skip> skips = skips_in(file.parent_path() / "run.json");
   if (!o.study.empty()) {
-    const StudyConfig study = read_study_again(o.study, results.study_text);
+    const StudyConfig study = read_study_again(o.study, results);
     skips = skipped_again(study, skips);
     analyse_again(study, results);
   }

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "glissade/fragility/fit.hpp"
 #include "glissade/study/config.hpp"
 #include "toml/toml_table.hpp"
 
@@ -76,28 +75,6 @@ inline EnumNames<FrictionValue> friction_value_names() {
 inline EnumNames<Standard> standard_names() {
   static constexpr EnumNames<Standard> names = {{"seaoc_pv1_2012", Standard::seaoc_pv1_2012},
                                                 {"asce7_16", Standard::asce7_16}};
-  return names;
-}
-
-inline EnumNames<Provenance> provenance_names() {
-  static constexpr EnumNames<Provenance> names = {{"checked", Provenance::checked},
-                                                  {"recalled", Provenance::recalled}};
-  return names;
-}
-
-inline EnumNames<FitStatus> fit_status_names() {
-  static constexpr EnumNames<FitStatus> names = {
-      {"failed", FitStatus::failed},
-      {"maximum_likelihood", FitStatus::maximum_likelihood},
-      {"jeffreys_penalised", FitStatus::jeffreys_penalised},
-      {"lower_bound", FitStatus::lower_bound},
-      {"upper_bound", FitStatus::upper_bound},
-      {"no_trend", FitStatus::no_trend},
-      {"always_exceeds", FitStatus::always_exceeds},
-      {"one_level", FitStatus::one_level},
-      {"one_capacity", FitStatus::one_capacity},
-      {"no_information", FitStatus::no_information},
-      {"extrapolated", FitStatus::extrapolated}};
   return names;
 }
 

@@ -49,7 +49,9 @@ const std::array rows = {
                of_suite, [](const IntensityConfig&) -> std::string { return "fraction of MCE"; },
                [](const IntensityConfig&, const Motion& m) { return m.scale; }},
     MeasureRow{"pga_g", "g", nullptr, "peak ground acceleration", of_peaks,
-               [](const IntensityConfig&) -> std::string { return "peak ground acceleration"; },
+               [](const IntensityConfig& c) -> std::string {
+                 return c.of_roof ? "peak roof acceleration" : "peak ground acceleration";
+               },
                [](const IntensityConfig&, const Motion& m) {
                  return standard_gravity_mps2 /
                         horizontal_pga_mps2(m, HorizontalCombination::geometric_mean);

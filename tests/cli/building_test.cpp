@@ -20,11 +20,12 @@ Json building_json(std::vector<std::string> options) {
 }
 
 TEST(Building, of_walls_with_frames_amplifies_more_than_one_mass) {
-  // Period 0.6 s on the plateau: SRSS of the participations of its four modes, and 1 less their
-  // sum for what moves with the ground, S_a(0) = 0.4 S_DS.
+  // Period 0.6 s on the plateau: SRSS of the participations of its modes, and 1 less their sum
+  // for what moves with the ground, S_a(0) = 0.4 S_DS.
   const Json json =
       building_json({"--period-s", "0.6", "--alpha", "10", "--sds-g", "1", "--sd1-g", "0.6"});
-  ASSERT_EQ(json.at("modes").size(), 4u);
+  ASSERT_EQ(json.at("modes").size(), 20u);
+  EXPECT_EQ(json.at("governing"), 4);
   double sum = 0.0, left = 1.0;
   for (const Json& mode : json.at("modes")) {
     const double participation = mode.at("participation"), period_s = mode.at("period_s");
@@ -66,6 +67,9 @@ TEST(Building, refuses_what_is_none_and_warns_of_missing_modes) {
     EXPECT_THAT(child.err, testing::HasSubstr(what));
   };
   refused({}, "--alpha or --storeys");
+  refused({"--period-s", "0.5", "--alpha", "nan"}, "--alpha");
+  refused({"--period-s", "0.5", "--alpha", "2", "--sds-g", "nan"}, "--sds-g");
+  refused({"--period-s", "0.5", "--masses", "2", "--stiffnesses", "3"}, "--period-s");
   refused({"--period-s", "0.5"}, "--storeys");
   refused({"--period-s", "0.5", "--alpha", "-1"}, "--alpha");
   refused({"--period-s", "-0.5", "--alpha", "2"}, "--period-s");

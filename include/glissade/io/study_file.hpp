@@ -5,6 +5,7 @@
 
 #include "glissade/io/text_files.hpp"
 #include "glissade/study/config.hpp"
+#include "glissade/study/results.hpp"
 
 namespace glissade {
 
@@ -18,7 +19,7 @@ StudyConfig read_study(const std::filesystem::path& file, TextFiles& files);
 
 /// The study of finished results with other analyses. Throws InputError, beside what read_study()
 /// throws, where it differs from the text of the study that was run in more than the tables that
-/// are read from the same histories.
-StudyConfig read_study_again(const std::filesystem::path& file, const std::string& text_of_run);
+/// are read from the same histories, or names a file that has changed since (but a hazard curve).
+StudyConfig read_study_again(const std::filesystem::path& file, const Results& run);
 
 }  // namespace glissade

@@ -27,6 +27,7 @@ struct IntensityConfig {
   double scaled_to_s = longest_scaled_period_s;
   double sa_period_s = 0.0;              ///< sa_g only, >= 0
   std::vector<double> avg_sa_periods_s;  ///< avg_sa_g only
+  bool of_roof = false;                  ///< as that of the suites, known once they are read
 };
 
 /// Along how many horizontal axes the array may slide.

@@ -45,6 +45,9 @@ void deliver(const SuiteOptions& o, const std::string& text) {
 double in_g(double acceleration_mps2) { return acceleration_mps2 / standard_gravity_mps2; }
 
 const DesignTarget& target_of(const Suite& suite, const std::string& file) {
+  if (suite.of_roof)
+    throw InputError({file, "has motions of a roof, which are used as they are",
+                      "scale the ground motions of the model that gave them", ""});
   if (!suite.target)
     throw InputError({file, "names no design target",
                       "add [target] with edition, ss_g, s1_g and site_classes", ""});

@@ -5,7 +5,6 @@
 #include <functional>
 #include <string>
 
-#include "glissade/core/file_name.hpp"
 #include "results/hdf5_file.hpp"
 
 namespace glissade {
@@ -33,12 +32,6 @@ void read_results_of(const ResultsKind& kind, const std::filesystem::path& file,
 /// Parts of a file that do not fit each other.
 inline void expect_fit(bool fits, const char* part, const char* whole) {
   if (!fits) throw Hdf5Error(std::string("fit ") + part + " to the " + whole);
-}
-
-/// Names from a file that become names of files, or stand in scripts.
-inline void expect_file_name(const std::string& name) {
-  if (!FileName::accepts(name))
-    throw Hdf5Error("take a name that is not of a to z, 0 to 9, _ and - only");
 }
 
 }  // namespace glissade

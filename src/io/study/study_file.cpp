@@ -173,13 +173,22 @@ StudyConfig read_study(const std::filesystem::path& file, TextFiles& files) {
   return study;
 }
 
-StudyConfig read_study_again(const std::filesystem::path& file, const std::string& text_of_run) {
+StudyConfig read_study_again(const std::filesystem::path& file, const Results& run) {
   const auto tables = tables_where([](const AnalysisInFiles& a) { return a.of_any_run; });
   StudyConfig study = read_study(file);
-  if (toml_without(study.source_text, tables) == toml_without(text_of_run, tables)) return study;
-  throw InputError({file.string(),
-                    "differs from the study that was run in more than " + listed(tables),
-                    "change or add these tables only, or run the study again", ""});
+  if (toml_without(study.source_text, tables) != toml_without(run.study_text, tables))
+    throw InputError({file.string(),
+                      "differs from the study that was run in more than " + listed(tables),
+                      "change or add these tables only, or run the study again", ""});
+  for (const auto& [name, text] : study.data_files) {
+    const auto of_run = run.study_data_files.find(name);
+    const bool is_of_analysis = study.hazard && study.hazard->source == name;
+    if (is_of_analysis || of_run == run.study_data_files.end() || of_run->second == text) continue;
+    throw InputError({(file.parent_path() / name).string(),
+                      "is not as it was when the study was run",
+                      "restore it, or run the study again", ""});
+  }
+  return study;
 }
 
 }  // namespace glissade

@@ -269,6 +269,7 @@ Plan begin_plan(const StudyConfig& config, std::vector<Suite> suites) {
     for (const Suite& suite : suites) plan.config.suite_files.emplace_back(suite.name);
   }
   plan.suites = std::move(suites);
+  plan.config.intensity.of_roof = plan.suites.front().of_roof;
   for (std::size_t s = 0; s < plan.suites.size(); ++s) {
     keep_records({config.file, plan.config.suite_files[s], config.records}, plan.suites[s]);
     if (config.normalise_by_pgv) normalise_by_pgv(plan.suites[s]);

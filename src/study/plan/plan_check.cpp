@@ -29,7 +29,10 @@ void check_model(const StudyConfig& config, const std::vector<Suite>& suites,
         {file,
          "measure = \"ppa_g\" scales by the peak of a roof that the array does not move: " +
              choice.reason,
-         "measure by sds_g, pga_g, sa_g or avg_sa_g, or set [model] axes = 1", ""});
+         config.intensity.of_roof ? "measure by factor or pga_g, or set [model] axes = 1"
+                                  : "measure by sds_g, pga_g, sa_g or avg_sa_g, or set [model] "
+                                    "axes = 1",
+         ""});
   }
   if (config.intensity.target) return;
   const bool by_r = config.quantities.at("building", "response_modification").largest() > 0.0;
@@ -77,8 +80,12 @@ void check_roof_motions(const StudyConfig& config, const std::vector<Suite>& sui
       refuse(fmt::format("{}.{} is of a building below them", p.table, p.key),
              "leave it out: the building is in the motions");
   }
-  if (config.base_shear)
-    refuse("[base_shear] is of a building below them", "leave out [base_shear]");
+  for (const auto& [is_there, table] :
+       {std::pair{config.base_shear, "[base_shear]"},
+        {config.intensity_measures.has_value(), "[intensity_measures]"},
+        {config.normalise_by_pgv, "suite.normalise"}})
+    if (is_there)
+      refuse(std::string(table) + " is of the ground, or of a building on it", "leave it out");
 }
 
 void check_motion(const StudyConfig& config, const Motion& motion, const std::string& where,

@@ -111,18 +111,16 @@ void put_study(const StudyConfig& study, Results& results) {
   results.thresholds_m = study.thresholds_m();
 }
 
-StudyConfig as_run(StudyConfig study, std::size_t samples) {
-  const std::uint64_t of_block = study.sampling.blocks().size;
-  if (study.sampling.target) study.sampling = study.sampling.first_blocks(samples / of_block);
-  return study;
-}
-
-void analyse_again(const StudyConfig& study, Results& results) {
+void analyse_again(StudyConfig study, Results& results) {
+  // As it was run: on these motions, and where sampling.target_error ended it.
+  study.intensity.of_roof = results.suites.front().of_roof;
+  if (study.sampling.target)
+    study.sampling =
+        study.sampling.first_blocks(results.cases.samples / study.sampling.blocks().size);
   put_study(study, results);
   static_cast<AnalysisResults&>(results) = {};
-  const StudyConfig run = as_run(study, results.cases.samples);
-  analyse(Analyses(), run, results);
-  add_remarks_on_analyses(run, results);
+  analyse(Analyses(), study, results);
+  add_remarks_on_analyses(study, results);
 }
 
 std::vector<Skip> skipped_again(const StudyConfig& study, const std::vector<Skip>& skips) {

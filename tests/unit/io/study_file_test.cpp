@@ -5,6 +5,7 @@
 #include "../../../src/io/text/scan.hpp"
 #include "glissade/core/units.hpp"
 #include "glissade/study/cases/case_set.hpp"
+#include "glissade/study/run/reduce.hpp"
 #include "study_texts.hpp"
 
 namespace glissade {
@@ -338,6 +339,24 @@ TEST_F(StudyFile, a_tail_of_one_in_a_million_may_lie_outside_the_range) {
   const StudyConfig normal = read(
       needed + "[building]\ndamping = { distribution = \"normal\", mean = 0.05, std = 0.01 }\n");
   EXPECT_TRUE(std::holds_alternative<Normal>(*normal.quantities.at("building", "damping").drawn));
+}
+
+TEST_F(StudyFile, of_finished_results_names_files_as_they_were_but_for_a_hazard_curve) {
+  folder_.write("tests.csv", "mu\n0.50\n0.54\n0.58\n");
+  folder_.write("curve.csv", "sds_g,annual_rate\n0.1,0.05\n1.5,0.0004\n");
+  const std::string study = study_part + suite_part + intensity_part + fragility_part +
+                            "[friction]\nfile = \"tests.csv\"\n[hazard]\ncurve = "
+                            "\"curve.csv\"\ndesign_life_years = 25\n";
+  Results run;
+  put_study(read(study), run);
+  EXPECT_EQ(run.study_data_files.size(), 2u);
+  const auto file = folder_.path() / "study.toml";
+  EXPECT_EQ(message_of([&] { read_study_again(file, run); }), "");
+  folder_.write("curve.csv", "sds_g,annual_rate\n0.1,0.06\n1.5,0.0005\n");
+  EXPECT_EQ(message_of([&] { read_study_again(file, run); }), "");
+  folder_.write("tests.csv", "mu\n0.50\n0.54\n0.60\n");
+  EXPECT_THAT(message_of([&] { read_study_again(file, run); }),
+              test::states("tests.csv", "not as it was"));
 }
 
 }  // namespace

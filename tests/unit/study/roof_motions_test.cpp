@@ -97,6 +97,9 @@ TEST(roof_motions, refuse_what_needs_the_ground_or_a_building) {
   EXPECT_THAT(refusal([](StudyConfig& c) { c.quantities.at("vertical", "period_s") = fixed(0.1); }),
               HasSubstr("vertical.period_s"));
   EXPECT_THAT(refusal([](StudyConfig& c) { c.base_shear = true; }), HasSubstr("[base_shear]"));
+  EXPECT_THAT(refusal([](StudyConfig& c) { c.intensity_measures.emplace(); }),
+              HasSubstr("[intensity_measures]"));
+  EXPECT_THAT(refusal([](StudyConfig& c) { c.normalise_by_pgv = true; }), HasSubstr("normalise"));
   StudyConfig two = as_recorded(SlidingAxes::two);
   two.suite_files.push_back("other.toml");
   EXPECT_THAT(message_of([&] {
@@ -114,6 +117,13 @@ TEST(roof_motions, that_are_turned_have_a_warning_and_meet_no_target) {
   config.orientation.choice = OrientationChoice::all_permutations;
   EXPECT_THAT(make_plan(config, {roofs}).warnings,
               testing::Contains(HasSubstr("axes of its building")));
+}
+
+TEST(roof_motions, are_measured_by_the_peak_of_the_roof) {
+  StudyConfig config = as_recorded(SlidingAxes::one);
+  config.intensity.measure = IntensityMeasure::pga_g;
+  const Results results = test::run(make_plan(config, {roofs_on_one_mass(test::small_suite())}));
+  EXPECT_THAT(results.intensity_label, HasSubstr("peak roof acceleration"));
 }
 
 TEST(roof_motions, are_another_plan_than_the_same_motions_of_the_ground) {

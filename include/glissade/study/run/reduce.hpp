@@ -17,11 +17,9 @@ Results reduce(const Plan& plan, const std::vector<UnitResult>& units);
 
 /// The study's part of the results: what stands before its histories and motions.
 void put_study(const StudyConfig& study, Results& results);
-/// As it was run, where sampling.target_error ended it.
-StudyConfig as_run(StudyConfig study, std::size_t samples);
 /// Finished results with the analyses of `study`, which names the same histories (or, with a
 /// sampling.target_error, those and more): those of a run of it, with its warnings and notes.
-void analyse_again(const StudyConfig& study, Results& results);
+void analyse_again(StudyConfig study, Results& results);
 /// What that run would have skipped, of what the run of the results did.
 std::vector<Skip> skipped_again(const StudyConfig& study, const std::vector<Skip>& skips);
 

@@ -168,7 +168,8 @@ std::string how_counted(const Results& results) {
       periods.size() > 1
           ? fmt::format("the largest over {} building periods from {} to {} s", periods.size(),
                         brief(periods.front()), brief(periods.back()))
-      : periods.front() == 0.0 ? "on a rigid building"
+      : results.suites.front().of_roof ? "on the motions of the roof"
+      : periods.front() == 0.0         ? "on a rigid building"
                                : fmt::format("for a building period of {} s", brief(periods[0]));
   const std::string largest = largest_over(results);
   const std::string of_each = largest.empty() ? "in its orientation" : "with " + largest;

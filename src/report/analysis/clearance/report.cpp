@@ -10,12 +10,16 @@ namespace {
 std::vector<std::string> explained(const Results& r) {
   const bool two_axes = slides_on_two_axes(r);
   return {
-      two_axes ? "After Walters et al. (2012): the building is one oscillator along each of two "
-                 "axes, of the same period along both unless the study states otherwise; the array "
-                 "is a mass on it with Coulomb friction; it slides along both axes at once and "
-                 "acts back on the building."
-               : "The rule is that of Walters et al. (2012), their model is not: the array slides "
-                 "along one axis, under one horizontal component.",
+      r.suites.front().of_roof ? "The rule is that of Walters et al. (2012), their model is not: "
+                                 "the array slides on the "
+                                 "motions of a roof, on which it does not act back."
+      : two_axes
+          ? "After Walters et al. (2012): the building is one oscillator along each of two "
+            "axes, of the same period along both unless the study states otherwise; the array "
+            "is a mass on it with Coulomb friction; it slides along both axes at once and "
+            "acts back on the building."
+          : "The rule is that of Walters et al. (2012), their model is not: the array slides "
+            "along one axis, under one horizontal component.",
       !two_axes ? "The displacement of a history is the largest along the slope."
       : r.displacement == DisplacementMeasure::srss
           ? "The displacement of a history is the SRSS of the separate maxima along the roof's two "

@@ -42,10 +42,11 @@ Table clearance_table(const Results& results) {
                             "The suite's mean displacement, the largest over the building periods, "
                             "over the orientations; and the clearance" +
                                 rule_text(results));
-  append(table.columns,
-         {range_column("clearance", "Clearance", "required clearance by the rule"),
-          range_column("clearance_median", "By the median", "the factor on the median"),
-          range_column("clearance_highest", "By the largest", "the factor on the highest")});
+  append(table.columns, {range_column("clearance", "Clearance", "required clearance by the rule"),
+                         range_column("clearance_median", "By the median",
+                                      "the factor on the median of the orientations"),
+                         range_column("clearance_highest", "By the largest",
+                                      "the factor on the largest of the orientations")});
   for (std::size_t i = 0; i < table.rows.size(); ++i) {
     const RequiredClearance& required = results.clearance->required[i];
     append(table.rows[i], {required.clearance_m, required.median_m, required.highest_m});

@@ -94,7 +94,7 @@ Cell ConditionColumns::cell(ConditionAxis axis, std::size_t place) const {
   }
 }
 
-Column range_column(const char* stem, const char* heading, const char* description,
+Column range_column(const char* stem, const char* heading, const std::string& description,
                     ColumnKind kind) {
   const bool length = kind == ColumnKind::length;
   return {stem, length ? "m" : "", heading + std::string(length ? ", m (in)" : ""), kind,

@@ -25,7 +25,7 @@ class ConditionColumns {
 };
 
 /// Of a length, or another number.
-Column range_column(const char* stem, const char* heading, const char* description = "",
+Column range_column(const char* stem, const char* heading, const std::string& description = "",
                     ColumnKind kind = ColumnKind::length);
 
 template <class T>

@@ -6,17 +6,22 @@
 namespace glissade {
 namespace {
 
+const char* what_is_averaged(ColumnKind kind) {
+  return kind == ColumnKind::length
+             ? "mean over the suite of the peak displacement in plan"
+             : "mean over the suite of the base shear over the weight of the building";
+}
+
 std::vector<Column> range_columns(ColumnKind kind) {
+  const std::string mean = what_is_averaged(kind);
   std::vector<Column> columns{
-      range_column("lowest", "Lowest", "mean over the suite, all records in the least orientation",
+      range_column("lowest", "Lowest", mean + ", all records in the least orientation", kind),
+      range_column("median", "Median", mean + ", median over the orientations", kind),
+      range_column("highest", "Highest", mean + ", all records in the largest orientation", kind),
+      range_column("bound_lowest", "Lower bound", mean + ", each record in its least orientation",
                    kind),
-      range_column("median", "Median", "mean over the suite, median over the orientations", kind),
-      range_column("highest", "Highest",
-                   "mean over the suite, all records in the largest orientation", kind),
-      range_column("bound_lowest", "Lower bound",
-                   "mean over the suite, each record in its least orientation", kind),
       range_column("bound_highest", "Upper bound",
-                   "mean over the suite, each record in its largest orientation", kind),
+                   mean + ", each record in its largest orientation", kind),
       range_column("largest", "Largest history", "largest of all records and orientations", kind)};
   columns[1].with_interval = columns[2].with_interval = columns.back().detail = true;
   return columns;
@@ -62,8 +67,8 @@ Table means_table(const MeansByCondition& of, FileName name, std::string title) 
 Table means_by_orientation_table(const MeansByCondition& of, FileName name, std::string title) {
   Table table{std::move(name), std::move(title), place_columns(of), {}, {}};
   append(table.columns, {{"orientation", "", "Orientation", ColumnKind::count,
-                          "number of the orientation of all records"},
-                         range_column("mean", "Mean", "mean over the suite", of.kind)});
+                          "orientation of all records: from 1, as in `cases`"},
+                         range_column("mean", "Mean", what_is_averaged(of.kind), of.kind)});
   for (std::size_t i = 0; i < of.means.size(); ++i) {
     for (std::size_t o = 0; o < of.means[i].by_orientation.size(); ++o) {
       std::vector<Cell> row = place_cells(of, i);

@@ -38,7 +38,8 @@ SignedEstimate p50_of(const FitSummary& fit) {
 Estimate floor_of(const FitSummary& fit) { return {fit.curve.floor, fit.floor_interval}; }
 
 constexpr const char* median_description =
-    "median of the lognormal fragility of the histories that need shaking; of a bound: that";
+    "median of the lognormal fragility of the histories that need shaking; with status lower or "
+    "upper bound, the bound";
 constexpr const char* p50_description = "intensity at which half of all exceed";
 
 /// Share of records of which any sample falls below the threshold again at a higher level.
@@ -287,7 +288,8 @@ Table earthquakes_table(const Results& results) {
     table.columns.push_back({name == "DBE" ? "dbe_probability" : "mce_probability", "",
                              fmt::format("At the {}, {} [95 %]", name,
                                          with_unit(results, level_number(results.levels[level]))),
-                             ColumnKind::share, "share of the histories that exceed the threshold",
+                             ColumnKind::share,
+                             "share of the histories that exceed the threshold at the " + name,
                              true});
   }
   if (named.empty()) return table;

@@ -233,7 +233,7 @@ Table life_distribution_table(const Results& results) {
           ": what it stays below in a share of the design lives." + by_curve(results) +
           in_plan(results),
       {run_column,
-       text_column("quantity", "Slip", "what of a design life"),
+       text_column("quantity", "Slip", "which displacement of a design life"),
        {"probability", "", "Share of the lives", ColumnKind::share, "share of the design lives"},
        {"displacement", "m", "Displacement, m (in)", ColumnKind::length,
         "displacement in plan; inf: beyond the levels, nan: below them"},
@@ -284,7 +284,7 @@ Table design_life_table(const Results& results) {
               "Slip over " + life_text(*results.hazard) + ", " + not_returned + "." +
                   by_curve(results) + in_plan(results),
               {run_column,
-               text_column("quantity", "Slip", "what of a design life"),
+               text_column("quantity", "Slip", "which displacement of a design life"),
                {"median", "m", "Median, m (in) [95 %, m]", ColumnKind::length,
                 "median over design lives", true},
                {"p84", "m", "84th percentile, m (in) [95 %, m]", ColumnKind::length,

@@ -144,7 +144,8 @@ Table shape_levels_table(const Results& results) {
   for (std::size_t m = 0; m < shape_model_count; ++m)
     table.columns.push_back({stems[m], "", model_name(static_cast<ShapeModel>(m)),
                              ColumnKind::share,
-                             "probability by this model, fitted on all records"});
+                             "probability by the model " + model_name(static_cast<ShapeModel>(m)) +
+                                 ", fitted on all records"});
   table.columns.push_back(
       {"recrossed", "", "Recross", ColumnKind::share,
        "share of histories that reached the threshold at a lower level and do not here"});

@@ -50,7 +50,7 @@ void number_records(const SuiteSpectra& spectra, Panel& panel) {
 }  // namespace
 
 Figure spectra_figure(const SuiteSpectra& spectra, const SpectraTexts& texts) {
-  Figure figure{"spectra", "Response spectra of the ground motions, " + texts.scaled,
+  Figure figure{"spectra", "Response spectra of the motions, " + texts.scaled,
                 fmt::format("suite {}; {} records", texts.suite, spectra.srss_g.size()),
                 "Pseudo-acceleration spectra at 5 % damping: square root of the sum of squares "
                 "(SRSS) of the two horizontal components of each record (grey" +

@@ -141,7 +141,9 @@ Table verdict_table(const Results& results) {
                            {"dbe_period", "s", "Period, s", ColumnKind::number,
                             "building period that makes the probability largest"},
                            {"mce_probability", "", "Exceeded at MCE [95 %]", ColumnKind::share,
-                            "probability that more is needed at 1.5 S_DS, likewise", true},
+                            "probability that more is needed at 1.5 S_DS, in the building whose "
+                            "period makes it largest",
+                            true},
                            {"mce_period", "s", "Period, s", ColumnKind::number,
                             "building period that makes the probability largest"}}),
               {}};
@@ -230,23 +232,24 @@ std::span<const VerdictSeparation> all_of(const VerdictResults& verdict, Verdict
 
 Table verdict_separations_table(const Results& results) {
   const VerdictResults& verdict = *results.verdict;
-  Table table{"verdict_separations",
-              "Probability that more than a separation is needed",
-              row_columns({text_column("separation", "Separation", "between what"),
-                           {"factor", "", "x prescribed", ColumnKind::number,
-                            "factor on the prescribed displacement"},
-                           {"value", "m", "Separation, m (in)", ColumnKind::length, "separation"},
-                           {"dbe_probability", "", "At DBE [95 %]", ColumnKind::share,
-                            "probability that more is needed at S_DS, in the building whose period "
-                            "makes it largest",
-                            true},
-                           {"dbe_period", "s", "Period, s", ColumnKind::number,
-                            "building period that makes the probability largest"},
-                           {"mce_probability", "", "At MCE [95 %]", ColumnKind::share,
-                            "probability that more is needed at 1.5 S_DS, likewise", true},
-                           {"mce_period", "s", "Period, s", ColumnKind::number,
-                            "building period that makes the probability largest"}}),
-              {}};
+  Table table{
+      "verdict_separations",
+      "Probability that more than a separation is needed",
+      row_columns({text_column("separation", "Separation", "what the separation is between"),
+                   {"factor", "", "x prescribed", ColumnKind::number,
+                    "factor on the prescribed displacement"},
+                   {"value", "m", "Separation, m (in)", ColumnKind::length, "separation"},
+                   {"dbe_probability", "", "At DBE [95 %]", ColumnKind::share,
+                    "probability that more is needed at S_DS, in the building whose period "
+                    "makes it largest",
+                    true},
+                   {"dbe_period", "s", "Period, s", ColumnKind::number,
+                    "building period that makes the probability largest"},
+                   {"mce_probability", "", "At MCE [95 %]", ColumnKind::share,
+                    "probability that more is needed at 1.5 S_DS, likewise", true},
+                   {"mce_period", "s", "Period, s", ColumnKind::number,
+                    "building period that makes the probability largest"}}),
+      {}};
   for (const VerdictSeparation& s : verdict.separations) {
     const VerdictRow& row = verdict.rows[s.row];
     table.add(row_cells(row, {s.what, s.factor, s.value_m, estimate(s.dbe), s.dbe.period_s,
@@ -274,7 +277,9 @@ Table verdict_separations_summary_table(const Results& results) {
   for (const double factor : factors)
     table.columns.push_back({fmt::format("dbe_probability_{:g}", factor), "",
                              fmt::format("{:g} x prescribed [95 %]", factor), ColumnKind::share,
-                             "largest probability at S_DS that more than this separation is needed",
+                             fmt::format("largest probability at S_DS that more than {:g} times "
+                                         "the prescribed displacement is needed",
+                                         factor),
                              true});
   for (const VerdictKind kind : verdict_kinds(verdict)) {
     std::vector<Cell> cells{kind.front().slope_deg, kind.front().mu,

@@ -35,6 +35,10 @@ std::vector<std::string> HazardAnalysis::plan_warnings(const StudyOutline& study
   const IntensityConfig& intensity = study.config.intensity;
   const HazardCurve& curve = study.config.hazard->curve;
   std::vector<std::string> warnings;
+  if (intensity.of_roof)
+    warnings.emplace_back(
+        "the motions are of a roof: the hazard curve must be that of their intensity measure, not "
+        "of the ground");
   const double from = curve.points().front().intensity, to = curve.points().back().intensity;
   if (!curve.is_power_law() && (intensity.levels.front() < from || intensity.levels.back() > to))
     warnings.push_back(
