@@ -23,7 +23,10 @@ std::vector<Column> range_columns(ColumnKind kind) {
       range_column("bound_highest", "Upper bound",
                    mean + ", each record in its largest orientation", kind),
       range_column("largest", "Largest history", "largest of all records and orientations", kind)};
-  columns[1].with_interval = columns[2].with_interval = columns.back().detail = true;
+  columns[1].with_interval = columns[2].with_interval = true;
+  // A terminal has no room for all: displacements have their bounds, shears their largest.
+  columns[3].detail = columns[4].detail = kind != ColumnKind::length;
+  columns[5].detail = kind == ColumnKind::length;
   return columns;
 }
 

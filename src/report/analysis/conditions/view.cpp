@@ -138,6 +138,9 @@ std::string conditions_text(const Results& results, const Condition& at,
   std::vector<ConditionAxis> left_out = without;
   if (!has_several(results.conditions->grid, ConditionAxis::support))
     left_out.push_back(ConditionAxis::support);
+  if (results.suites.front().of_roof)  // the building is in the motions
+    left_out.insert(left_out.end(), {ConditionAxis::period, ConditionAxis::mass,
+                                     ConditionAxis::response_modification});
   const std::vector<std::string>& listed = results.conditions->grid.listed;
   const std::size_t place = at[ConditionAxis::listed];
   if (place < listed.size() && listed[place].starts_with("friction"))
