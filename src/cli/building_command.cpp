@@ -21,6 +21,7 @@ namespace glissade::cli {
 namespace {
 
 constexpr std::size_t most_storeys = 200;
+constexpr double usual_sd1 = 0.6;  ///< over S_DS, where it is not stated: said with the result
 
 /// CLI's own ranges take "nan", and print their ends with all digits.
 CLI::Validator from_to(double least, double most) {
@@ -58,7 +59,7 @@ std::vector<Mode> modes_of(const BuildingOptions& o) {
     return shear_building_modes(o.masses, o.stiffnesses);
   if (!(o.period_s > 0.0))
     throw InputError(
-        {"--period-s", "is missing, and what stands for it",
+        {"--period-s", "no building is stated",
          "give --period-s with --alpha or --storeys, or --masses and --stiffnesses, or "
          "--modes FILE.csv",
          ""});
@@ -106,10 +107,10 @@ std::vector<std::string> warnings_on(const BuildingOptions& o, const std::vector
                     "they are not those at the array",
                     participation));
   constexpr double shortest_s = 0.01, longest_s = 30.0;
-  if (!(modes.back().period_s > 0.0 && modes.front().period_s < longest_s) ||
-      modes.front().period_s < shortest_s)
-    warnings.push_back(fmt::format("no building has a first period of {:g} s: check the units",
-                                   modes.front().period_s));
+  const double first_s = modes.front().period_s;
+  if (!(first_s >= shortest_s && first_s < longest_s))
+    warnings.push_back(
+        fmt::format("no building has a first period of {:g} s: check the units", first_s));
   if (o.sd1_g && *o.sd1_g > 1.5 * *o.sds_g)
     warnings.emplace_back("S_D1 above 1.5 S_DS is no design spectrum of a site");
   return warnings;
@@ -144,7 +145,9 @@ void run(const BuildingOptions& o) {
   const std::vector<Mode> all = modes_of(o), modes = governing_modes(all);
   const std::vector<std::string> warnings = warnings_on(o, all);
   std::optional<FloorAccelerations> roof;
-  if (o.sds_g) roof = roof_acceleration(all, {*o.sds_g, o.sd1_g.value_or(0.6 * *o.sds_g), o.tl_s});
+  const DesignSpectrum spectrum{o.sds_g.value_or(0.0),
+                                o.sd1_g.value_or(usual_sd1 * o.sds_g.value_or(0.0)), o.tl_s};
+  if (o.sds_g) roof = roof_acceleration(all, spectrum);
   if (o.json) {
     Json json{{"modes", Json::array()}, {"governing", modes.size()}, {"warnings", warnings}};
     for (const Mode& mode : all)
@@ -155,19 +158,21 @@ void run(const BuildingOptions& o) {
       json["peak_roof_acceleration_g"] = {{"modes", roof->by_modes},
                                           {"one_mass", roof->one_mass},
                                           {"asce7_16", roof->asce7_16},
-                                          {"asce7_22", roof->asce7_22}};
+                                          {"asce7_22", roof->asce7_22},
+                                          {"sd1_g", spectrum.sd1_g}};
     return put_json(json);
   }
   put("{}\n", to_text(modes_table(modes, all.size())));
   for (const std::string& warning : warnings)
     put("{}\n", wrapped("WARNING: " + warning, terminal_width, 2));
   if (!roof) return;
-  put("Peak roof acceleration under the design spectrum, S_DS = {:g} g\n"
+  put("Peak roof acceleration under the design spectrum, S_DS = {:g} g, S_D1 = {:g} g{}\n"
       "  modes (SRSS)                        {:.3g} g\n"
       "  one mass of the first period        {:.3g} g\n"
       "  ASCE 7-16, 0.4 S_DS (1 + 2 z/h)     {:.3g} g   [recalled]\n"
       "  ASCE 7-22, 0.4 S_DS H_f             {:.3g} g   [recalled]\n",
-      *o.sds_g, roof->by_modes, roof->one_mass, roof->asce7_16, roof->asce7_22);
+      spectrum.sds_g, spectrum.sd1_g, o.sd1_g ? "" : " (assumed)", roof->by_modes, roof->one_mass,
+      roof->asce7_16, roof->asce7_22);
   if (all.size() == 1) return;
   put("\n{}\n",
       wrapped(fmt::format("A study with [building] period_s = {:.3g} computes one mass, whose peak "

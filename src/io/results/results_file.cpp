@@ -25,7 +25,8 @@ StudyConfig study_of(const Results& results, const std::filesystem::path& file) 
   try {
     return read_study(name, files);
   } catch (const InputError& error) {
-    throw InputError({file.string(), std::string("has a study that is none: ") + error.what(),
+    throw InputError({file.string(),
+                      std::string("has a study that cannot be read: ") + error.what(),
                       "give a results file of `glissade run`, or run the study again", ""});
   }
 }
@@ -108,6 +109,20 @@ void check_shapes(const Results& results, const StudyConfig& study) {
   check_histories(results, KeptFields(study));
 }
 
+/// @param study set to that of the results
+Results read_parts(const std::filesystem::path& file, StudyConfig& study) {
+  Results results;
+  read_results_of(kind, file, [&](const Hdf5Reader& root) {
+    read_run(root, results);
+    study = study_of(results, file);
+    put_study(study, results);
+    static_cast<CaseGrid&>(results.cases) = PlannedCases(study);
+    read_histories(root, results);
+    check_shapes(results, study);
+  });
+  return results;
+}
+
 }  // namespace
 
 void write_results(const std::filesystem::path& file, const Results& results,
@@ -117,21 +132,14 @@ void write_results(const std::filesystem::path& file, const Results& results,
 }
 
 Results read_histories(const std::filesystem::path& file) {
-  Results results;
-  read_results_of(kind, file, [&](const Hdf5Reader& root) {
-    read_run(root, results);
-    const StudyConfig study = study_of(results, file);
-    put_study(study, results);
-    static_cast<CaseGrid&>(results.cases) = PlannedCases(study);
-    read_histories(root, results);
-    check_shapes(results, study);
-  });
-  return results;
+  StudyConfig study;
+  return read_parts(file, study);
 }
 
 Results read_results(const std::filesystem::path& file) {
-  Results results = read_histories(file);
-  analyse_again(study_of(results, file), results);
+  StudyConfig study;
+  Results results = read_parts(file, study);
+  analyse_again(std::move(study), results);
   return results;
 }
 
