@@ -65,6 +65,7 @@ struct DataSeries {
   std::vector<double> low, high;  ///< of bands and bars, in place of y; drawn to the edge where
                                   ///< infinite
   double aside = 0.0;             ///< added to x where it is drawn, not in NAME.dat
+  std::string source = {};        ///< "tables/chart.csv: mu, clearance_m", where it is of a table
 
   void add(double x_value, double y_value);
   /// Of bands and bars; nothing where an end is NaN.

@@ -66,6 +66,10 @@ struct Table {
   Table first_rows(std::size_t most, const FileName& file) const;
 };
 
+/// The names of a column in files, unit included: one, or with its interval three.
+std::vector<std::string> file_names(const Column& column);
+/// The numbers of a cell, NaN where it has none: value, and ends of the interval.
+Estimate estimate_of(const Cell& cell);
 /// The cell as people read it: "0.300 (11.8)", "12 %", "0.84 [0.76, 0.93]"; "-" for what is not
 /// finite.
 std::string cell_text(const Column& column, const Cell& cell);

@@ -352,8 +352,11 @@ std::string data_of(const Figure& figure) {
       if (!has_numbers(series)) continue;
       if (!data.empty()) data += "\n\n";
       const bool spread = !series.low.empty();
-      data += "# " + one_line(series.name) +
-              (spread ? "\n# columns: x low high\n" : "\n# columns: x y\n");
+      data += "# " + one_line(series.name) + "\n# columns" +
+              (!series.source.empty() ? " of " + one_line(series.source)
+               : spread               ? ": x low high"
+                                      : ": x y") +
+              "\n";
       for (std::size_t i = 0; i < series.x.size(); ++i) {
         const auto column = [](double v) { return std::isfinite(v) ? format_exact(v) : "nan"; };
         if (!std::isfinite(series.x[i])) {

@@ -95,28 +95,11 @@ std::string with_unit(const std::string& stem, const std::string& unit) {
   return unit.empty() ? stem : stem + "_" + unit;
 }
 
-/// The names of a column in files: one, or three with its interval.
-std::vector<std::string> names_of(const Column& column) {
-  std::vector<std::string> names{with_unit(column.stem, column.unit)};
-  if (column.with_interval) {
-    names.push_back(with_unit(column.stem + "_low95", column.unit));
-    names.push_back(with_unit(column.stem + "_high95", column.unit));
-  }
-  return names;
-}
-
 std::string csv_header(const Column& column) {
   std::string header;
-  for (const std::string& name : names_of(column))
+  for (const std::string& name : file_names(column))
     header += (header.empty() ? "" : ",") + csv_field(name);
   return header;
-}
-
-/// The numbers of a cell, NaN where it has none: value, and ends of the interval.
-Estimate estimate_of(const Cell& cell) {
-  if (const auto* number = std::get_if<double>(&cell)) return {*number, {}};
-  if (const auto* estimate = std::get_if<SignedEstimate>(&cell)) return *estimate;
-  return {std::numeric_limits<double>::quiet_NaN(), {}};
 }
 
 /// As wide as the column's header, whatever the cell.
@@ -152,6 +135,21 @@ std::string padded(const std::string& text, std::size_t width, ColumnKind kind) 
 }
 
 }  // namespace
+
+std::vector<std::string> file_names(const Column& column) {
+  std::vector<std::string> names{with_unit(column.stem, column.unit)};
+  if (column.with_interval) {
+    names.push_back(with_unit(column.stem + "_low95", column.unit));
+    names.push_back(with_unit(column.stem + "_high95", column.unit));
+  }
+  return names;
+}
+
+Estimate estimate_of(const Cell& cell) {
+  if (const auto* number = std::get_if<double>(&cell)) return {*number, {}};
+  if (const auto* estimate = std::get_if<SignedEstimate>(&cell)) return *estimate;
+  return {std::numeric_limits<double>::quiet_NaN(), {}};
+}
 
 Column text_column(std::string stem, std::string heading, std::string description) {
   return {std::move(stem), "", std::move(heading), ColumnKind::text, std::move(description)};
@@ -207,7 +205,7 @@ DataTable data_of(const Table& table) {
   DataTable data{table.name, table.title, {}};
   for (std::size_t c = 0; c < table.columns.size(); ++c) {
     const Column& column = table.columns[c];
-    const std::vector<std::string> names = names_of(column);
+    const std::vector<std::string> names = file_names(column);
     const std::string unit = unit_text(column.unit);
     if (column.kind == ColumnKind::text) {
       std::vector<std::string> texts;

@@ -3,11 +3,14 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <sstream>
 #include <string>
 #include <vector>
 
 #include "glissade/report/figure.hpp"
+#include "glissade/report/table.hpp"
 
 namespace glissade {
 
@@ -54,6 +57,52 @@ inline std::vector<std::string> key_of(const Figure& figure) {
       if (!rule.label.empty()) key.push_back(rule.label);
   }
   return key;
+}
+
+/// The series that say which columns of a table they are must have numbers of its rows: "tables/
+/// chart.csv: mu, clearance_m". Returns the figures that have such series.
+inline std::vector<std::string> figures_of_tables(const std::vector<Figure>& figures,
+                                                  const std::vector<Table>& tables) {
+  std::vector<std::string> names;
+  const auto expect_numbers = [&](const DataSeries& series) {
+    const std::size_t slash = series.source.find('/'), end = series.source.find(".csv: ");
+    const std::string file = series.source.substr(slash + 1, end - slash - 1);
+    const auto table =
+        std::ranges::find_if(tables, [&](const Table& one) { return one.name.text() == file; });
+    ASSERT_NE(table, tables.end()) << series.source;
+    const DataTable data = data_of(*table);
+    std::vector<const std::vector<double>*> columns;  // null: of texts, which stand at places
+    std::istringstream stems(series.source.substr(end + 6));
+    for (std::string stem; std::getline(stems >> std::ws, stem, ',');) {
+      const auto column = std::ranges::find(data.columns, stem, &DataColumn::name);
+      ASSERT_NE(column, data.columns.end()) << series.source;
+      columns.push_back(std::get_if<std::vector<double>>(&column->values));
+    }
+    const std::vector<const std::vector<double>*> drawn =
+        series.low.empty() ? std::vector{&series.x, &series.y}
+                           : std::vector{&series.x, &series.low, &series.high};
+    ASSERT_EQ(columns.size(), drawn.size());
+    for (std::size_t i = 0; i < series.x.size(); ++i) {
+      bool found = std::isnan(drawn[1]->at(i));  // a gap
+      for (std::size_t row = 0; row < table->rows.size() && !found; ++row) {
+        found = true;
+        for (std::size_t c = 0; c < columns.size(); ++c)
+          found = found && (columns[c] == nullptr || (*columns[c])[row] == drawn[c]->at(i));
+      }
+      EXPECT_TRUE(found) << series.name << " at " << series.x[i] << " is not of " << series.source;
+    }
+  };
+  for (const Figure& figure : figures) {
+    for (const Panel& panel : figure.panels) {
+      for (const DataSeries& series : panel.series) {
+        if (series.source.empty()) continue;
+        expect_numbers(series);
+        if (names.empty() || names.back() != figure.name.text())
+          names.push_back(figure.name.text());
+      }
+    }
+  }
+  return names;
 }
 
 inline std::size_t numbers_in(const DataSeries& series) {

@@ -13,6 +13,7 @@
 #include "glissade/core/error.hpp"
 #include "glissade/core/file.hpp"
 #include "glissade/report/format.hpp"
+#include "glissade/report/tables.hpp"
 #include "made_up_results.hpp"
 #include "plot/labels.hpp"
 
@@ -273,6 +274,16 @@ TEST(figures, of_the_fragility_hold_the_shares_and_the_fitted_curve) {
   EXPECT_EQ(key_of(figure).size(), 1u);  // clearances are named at their curves
   for (const ThresholdFragility& fragility : run.fragilities)
     EXPECT_THAT(figure.caption, states(format_length(fragility.threshold_m)));
+}
+
+TEST(figures, of_a_table_have_the_numbers_of_its_file) {
+  const auto of_tables = [](const Results& results) {
+    return figures_of_tables(make_figures(results), csv_tables(results));
+  };
+  EXPECT_THAT(of_tables(made_up_chart_results()),
+              testing::ElementsAre("chart_friction", "chart_slope", "chart_intensity",
+                                   "chart_slope_levels", "chart_period"));
+  EXPECT_EQ(of_tables(made_up_one_record_chart()).size(), 4u);
 }
 
 TEST(figures, are_drawn_whatever_their_numbers_are) {

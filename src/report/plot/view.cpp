@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "plot/view.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "glissade/core/contract.hpp"
+#include "glissade/core/finite.hpp"
+#include "text/study_text.hpp"
+
+namespace glissade {
+namespace {
+
+/// A column of the table's files: its values, or an end of their intervals.
+struct FileColumn {
+  std::size_t place = 0, part = 0;
+
+  FileColumn(const Table& table, const std::string& stem) {
+    for (const Column& column : table.columns) {
+      const std::string stems[] = {column.stem, column.stem + "_low95", column.stem + "_high95"};
+      for (part = 0; part < file_names(column).size(); ++part)
+        if (stems[part] == stem) return;
+      ++place;
+    }
+    GLISSADE_EXPECTS(place < table.columns.size());
+  }
+  std::string name(const Table& table) const { return file_names(table.columns[place])[part]; }
+  double number(const std::vector<Cell>& row) const {
+    const auto [value, interval] = estimate_of(row[place]);
+    return part == 0 ? value : part == 1 ? interval.low : interval.high;
+  }
+};
+
+bool are_same(const Cell& a, const Cell& b) {
+  const auto *text = std::get_if<std::string>(&a), *other = std::get_if<std::string>(&b);
+  if (text != nullptr || other != nullptr)
+    return text != nullptr && other != nullptr && *text == *other;
+  const double x = estimate_of(a).value, y = estimate_of(b).value;
+  return x == y || (std::isnan(x) && std::isnan(y));
+}
+
+std::vector<std::vector<Cell>> rows_where(const Table& table, const Where& where) {
+  std::vector<std::vector<Cell>> rows = table.rows;
+  for (const auto& [stem, cell] : where)
+    std::erase_if(rows, [place = FileColumn(table, stem).place, &cell](const auto& row) {
+      return !are_same(row[place], cell);
+    });
+  return rows;
+}
+
+/// "tables/chart.csv: mu, clearance_m"
+std::string source_of(const Table& table, const std::vector<FileColumn>& columns) {
+  std::string source;
+  for (const FileColumn& column : columns)
+    source += (source.empty() ? "" : ", ") + column.name(table);
+  return "tables/" + (table.name + ".csv: ") + source;
+}
+
+}  // namespace
+
+void add_lines(Panel& panel, const View& view) {
+  const FileColumn x(view.table, view.x);
+  const Table shown{view.table.name, "", view.table.columns, rows_where(view.table, view.where)};
+  std::vector<DataSeries> spreads;
+  double aside = -0.5 * view.apart * static_cast<double>(view.lines.size() - 1);
+  for (const ViewLine& line : view.lines) {
+    const FileColumn y(shown, line.y);
+    DataSeries series{line.kind, line.look, line.name, line.name},
+        spread{view.spread, line.look, line.name + ": " + view.spread_name};
+    series.source = source_of(shown, {x, y});
+    series.aside = spread.aside = aside;
+    aside += view.apart;
+    const std::vector<std::vector<Cell>> rows = rows_where(shown, line.where);
+    const auto x_of = [&](const std::vector<Cell>& row) {
+      const auto* text = std::get_if<std::string>(&row[x.place]);
+      return text != nullptr ? view.places.at(*text) : x.number(row);
+    };
+    for (const std::vector<Cell>& row : rows) series.add(x_of(row), y.number(row));
+    if (!line.low.empty()) {
+      const FileColumn low(shown, line.low), high(shown, line.high);
+      spread.source = source_of(shown, {x, low, high});
+      for (const std::vector<Cell>& row : rows)
+        spread.add(x_of(row), {low.number(row), high.number(row)});
+      spreads.push_back(std::move(spread));
+    }
+    panel.series.push_back(std::move(series));
+  }
+  panel.series.insert(panel.series.begin(), spreads.begin(), spreads.end());
+}
+
+Panel panel_of(const View& view, const std::string& x_label) {
+  Panel panel{"", {x_label, infinity, -infinity}};
+  add_lines(panel, view);
+  for (const DataSeries& series : panel.series)
+    for (const double x : series.x) {
+      panel.x.low = std::min(panel.x.low, x);
+      panel.x.high = std::max(panel.x.high, x);
+    }
+  return panel;
+}
+
+double largest_y(const Panel& panel) {
+  double found = 0.0;
+  for (const DataSeries& series : panel.series)
+    found = std::max({found, largest(series.y), largest(series.high)});
+  for (const Rule& rule : panel.rules)
+    if (rule.kind == Rule::Kind::horizontal) found = std::max(found, rule.at);
+  return found;
+}
+
+}  // namespace glissade

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "glissade/report/figure.hpp"
+#include "glissade/report/table.hpp"
+
+// A figure as a view of a table: lines of y over x. Columns are named by their stems, the ends of
+// their 95 % intervals as in files: stem_low95, stem_high95.
+namespace glissade {
+
+/// Rows with these cells.
+using Where = std::vector<std::pair<std::string, Cell>>;
+
+struct ViewLine {
+  std::string name;  ///< in the key too
+  Look look;
+  std::string y;                    ///< column
+  Where where = {};                 ///< of the rows of the view
+  std::string low = {}, high = {};  ///< columns of a band or bars; empty: it has none
+  DataSeries::Kind kind = DataSeries::Kind::line_and_points;
+};
+
+struct View {
+  Table table;
+  std::string x;  ///< column
+  std::vector<ViewLine> lines;
+  Where where = {};
+  std::map<std::string, double> places = {};         ///< on the x axis, of texts
+  DataSeries::Kind spread = DataSeries::Kind::band;  ///< or bars
+  std::string spread_name = "95 % interval";
+  double apart = 0.0;  ///< from line to line along x, so that bars do not hide each other
+};
+
+/// Adds the lines above what is in the panel, and their spreads below.
+void add_lines(Panel& panel, const View& view);
+/// A panel of them, with an x axis from the first to the last.
+Panel panel_of(const View& view, const std::string& x_label);
+/// Of lines, spreads and level rules the largest finite number, at least 0.
+double largest_y(const Panel& panel);
+
+}  // namespace glissade
