@@ -13,6 +13,7 @@
 #include "glissade/core/units.hpp"
 #include "glissade/core/wrap.hpp"
 #include "glissade/io/record_file.hpp"
+#include "glissade/io/suite_file.hpp"
 #include "glissade/motion/improbable.hpp"
 #include "glissade/motion/intensity.hpp"
 #include "glissade/sampling/pull_test.hpp"
@@ -58,6 +59,36 @@ struct ReadMotion {
   Motion motion;
   std::vector<ReadComponent> components;
 };
+
+/// A motion of a suite: the options get its components.
+ReadMotion motion_of_suite(SlideOptions& o) {
+  if (!o.second.empty() || !o.vertical.empty())
+    throw InputError({o.second.empty() ? "--vertical" : "--second",
+                      o.record + " is a motion of a suite, with all its components",
+                      "leave it out, or name the files of the components", ""});
+  const auto [file, id] = split_address(o.record);
+  const Suite suite = load_suite(file);
+  const auto named = std::ranges::find(suite.motions, id, &Motion::id);
+  if (named == suite.motions.end()) {
+    std::string known;
+    for (const Motion& motion : suite.motions) known += (known.empty() ? "" : ", ") + motion.id;
+    throw InputError(
+        {file, id.empty() ? "is a suite, of which no motion is named" : "has no motion " + id,
+         "give " + file + "#ID, ID one of: " + known, ""});
+  }
+  o.of_roof = suite.of_roof;
+  ReadMotion read{*named, {}};
+  const auto add = [&](const char* name, const Samples& samples) {
+    if (samples.empty()) return std::string();
+    const std::string address = o.record + ", " + name;
+    read.components.push_back({name, address, {address, named->dt_s, samples, "", {}}});
+    return address;
+  };
+  add("first", named->horizontal_mps2[0]);
+  o.second = add("second", named->horizontal_mps2[1]);
+  o.vertical = add("vertical", named->vertical_mps2);
+  return read;
+}
 
 ReadMotion read_motion(const SlideOptions& o) {
   RecordFileOptions file;
@@ -217,8 +248,9 @@ void print_sentence(const std::string& text) {
 void print_record(const SlideOptions& o, const ReadMotion& read, double pga_g) {
   for (const auto& [name, file, record] : read.components) {
     const auto& [of_file, dt_s, a, source, read_notes] = record;
-    put("{}\n  {} samples, {:g} s; PGA {:.3g} g, PGV {:.3g} m/s, PGD {:.3g} m, D5-95 {:.3g} s\n",
-        file, a.size(), dt_s, peak_ground_acceleration_mps2(a) / standard_gravity_mps2,
+    const char* peaks = o.of_roof ? "peaks of the roof" : "peaks";
+    put("{}\n  {} samples, {:g} s; {} {:.3g} g, {:.3g} m/s, {:.3g} m; D5-95 {:.3g} s\n", file,
+        a.size(), dt_s, peaks, peak_ground_acceleration_mps2(a) / standard_gravity_mps2,
         peak_ground_velocity_mps(dt_s, a), peak_ground_displacement_m(dt_s, a),
         significant_duration_s(dt_s, a));
   }
@@ -231,8 +263,8 @@ void print_text(const SlideOptions& o, const SlideHistory& h, const ReadMotion& 
                 double pga_g) {
   const SlipResult& r = h.slip;
   print_record(o, read, pga_g);
-  put("Factor {:.4g}: PGA {:.4g} g{}\n", factor, pga_g,
-      h.ppa_g ? fmt::format(", peak roof acceleration {:.4g} g", *h.ppa_g) : "");
+  put("Factor {:.4g}: {} {:.4g} g{}\n", factor, o.of_roof ? "peak roof acceleration" : "PGA", pga_g,
+      h.ppa_g && !o.of_roof ? fmt::format(", peak roof acceleration {:.4g} g", *h.ppa_g) : "");
   put("Model: {}\n", model_of(o));
   put("{}", to_text(to_table("Displacement relative to the roof, in plan (downslope "
                              "positive; flat roof: +x)",
@@ -258,14 +290,17 @@ void print_text(const SlideOptions& o, const SlideHistory& h, const ReadMotion& 
 }
 
 void run(SlideOptions& o) {
+  std::optional<ReadMotion> of_suite;
+  if (names_motion(o)) of_suite = motion_of_suite(o);
   check(o);
-  const ReadMotion read = read_motion(o);
+  const ReadMotion read = of_suite ? *std::move(of_suite) : read_motion(o);
   const Motion& motion = read.motion;
   const double pga = peak_ground_acceleration_mps2(motion.horizontal_mps2[0]);
   if (o.pga_g && pga == 0.0)
     throw InputError(
         {o.record, "is zero throughout and cannot be scaled to --pga-g", "give --scale", ""});
-  const double factor = o.pga_g ? *o.pga_g * standard_gravity_mps2 / pga : o.scale.value_or(1.0);
+  const double factor =
+      o.pga_g ? *o.pga_g * standard_gravity_mps2 / pga : motion.scale * o.scale.value_or(1.0);
   if (!(factor <= largest_acceleration))
     throw InputError({o.record, fmt::format("the factor {:g} on the motion is too large", factor),
                       "give a smaller --scale or --pga-g", ""});

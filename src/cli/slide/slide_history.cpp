@@ -26,42 +26,72 @@ GroundMotion ground_of(const Motion& motion) {
   return {motion.dt_s, motion.horizontal_mps2[0], motion.vertical_mps2};
 }
 
-class HistoryFile {
- public:
-  explicit HistoryFile(const std::string& file) : file_(file) {}
-  void add(double time_s, double roof_acceleration_mps2, double displacement_m,
-           double velocity_mps) {
-    table_.add({time_s, roof_acceleration_mps2, displacement_m, velocity_mps});
-  }
-  void write() const { write_text_file(file_, to_csv(table_)); }
+Table history_table() {
+  return {"history",
+          "displacement and velocity of the block relative to the roof, in plan, downslope "
+          "positive (flat roof: +x)",
+          {{"time", "s", "Time, s"},
+           {"roof_acceleration", "mps2", "Roof acceleration, m/s2"},
+           {"displacement", "m", "Displacement, m"},
+           {"velocity", "mps", "Velocity, m/s"}},
+          {}};
+}
 
- private:
-  std::string file_;
-  Table table_{"history",
-               "displacement and velocity of the block relative to the roof, in plan, downslope "
-               "positive (flat roof: +x)",
-               {{"time", "s", "Time, s"},
-                {"roof_acceleration", "mps2", "Roof acceleration, m/s2"},
-                {"displacement", "m", "Displacement, m"},
-                {"velocity", "mps", "Velocity, m/s"}},
-               {}};
-};
+/// Zero after the samples.
+double acceleration_at(double time_s, double dt_s, std::span<const double> samples) {
+  const double position = time_s / dt_s;
+  const std::size_t i = static_cast<std::size_t>(position);
+  const auto sample = [&](std::size_t k) { return k < samples.size() ? samples[k] : 0.0; };
+  return std::lerp(sample(i), sample(i + 1), position - static_cast<double>(i));
+}
 
 void write_history(const std::string& file, const RoofAcceleration& roof,
                    const std::vector<SlipPoint>& history) {
-  HistoryFile table(file);
-  const std::size_t n = roof.horizontal_mps2.size();
-  const auto sample = [&](std::size_t k) {
-    return k < n ? roof.horizontal_factor * roof.horizontal_mps2[k] : 0.0;
+  Table table = history_table();
+  for (const SlipPoint& p : history)
+    table.add({p.time_s,
+               roof.horizontal_factor * acceleration_at(p.time_s, roof.dt_s, roof.horizontal_mps2),
+               p.displacement_m, p.velocity_mps});
+  write_text_file(file, to_csv(table));
+}
+
+/// On a rigid roof.
+void write_plane_history(const std::string& file, const Motion& motion, double factor,
+                         const TwoAxisBlock& block) {
+  const auto& [first, second] = motion.horizontal_mps2;
+  std::vector<TwoAxisPoint> history;
+  slide_two_axis({motion.dt_s, {first, second}, motion.vertical_mps2, factor, factor}, block,
+                 history);
+  Table table{"history",
+              "displacement of the block relative to the roof, in plan, along the slope (downslope "
+              "positive) and across it; acceleration along the two axes of the roof",
+              {{"time", "s", "Time, s"},
+               {"roof_acceleration_1", "mps2", "Roof acceleration, first axis, m/s2"},
+               {"roof_acceleration_2", "mps2", "Roof acceleration, second axis, m/s2"},
+               {"displacement_along", "m", "Displacement along the slope, m"},
+               {"displacement_across", "m", "Displacement across the slope, m"}},
+              {}};
+  const auto add = [&](double time_s, const PlanVector& displacement) {
+    table.add({time_s, factor * acceleration_at(time_s, motion.dt_s, first),
+               factor * acceleration_at(time_s, motion.dt_s, second), displacement.along_m,
+               displacement.across_m});
   };
-  for (const SlipPoint& point : history) {
-    const double position = point.time_s / roof.dt_s;
-    const std::size_t i = static_cast<std::size_t>(position);
-    const double share = position - static_cast<double>(i);
-    table.add(point.time_s, sample(i) + share * (sample(i + 1) - sample(i)), point.displacement_m,
-              point.velocity_mps);
+  // Steps of sliding end at every sample; at the others the block rests.
+  std::size_t sample = 0;
+  PlanVector now;
+  const auto rest_until = [&](double end_s) {
+    for (; static_cast<double>(sample) * motion.dt_s < end_s; ++sample)
+      add(static_cast<double>(sample) * motion.dt_s, now);
+  };
+  const double rounding_s = 1e-6 * motion.dt_s;
+  for (const TwoAxisPoint& p : history) {
+    rest_until(p.time_s - rounding_s);
+    if (static_cast<double>(sample) * motion.dt_s < p.time_s + rounding_s) ++sample;
+    now = p.displacement;
+    add(p.time_s, now);
   }
-  table.write();
+  rest_until(static_cast<double>(first.size()) * motion.dt_s - rounding_s);
+  write_text_file(file, to_csv(table));
 }
 
 /// The factor on the record at which the body begins to rock on its base; infinity: never.
@@ -138,10 +168,10 @@ SlideHistory on_coupled_building(const SlideOptions& o, const Motion& motion, do
                               ? slide_coupled(ground, factors, building, block)
                               : slide_coupled(ground, factors, building, block, points);
   if (!o.history.empty() && std::isfinite(r.slip.residual_displacement_m)) {
-    HistoryFile table(o.history);
+    Table table = history_table();
     for (const CoupledPoint& p : points)
-      table.add(p.time_s, p.roof_acceleration_mps2, p.displacement_m, p.velocity_mps);
-    table.write();
+      table.add({p.time_s, p.roof_acceleration_mps2, p.displacement_m, p.velocity_mps});
+    write_text_file(o.history, to_csv(table));
   }
   SlideHistory h;
   h.slip = r.slip;
@@ -182,6 +212,8 @@ SlideHistory in_full_model(const SlideOptions& o, const Motion& motion, double f
   h.slip.uplift = t.uplift;
   h.slip.free_sliding = t.free_sliding;
   if (o.two_axes()) h.plane = t;
+  if (!o.history.empty() && std::isfinite(h.slip.residual_displacement_m))
+    write_plane_history(o.history, motion, factor, block);
   if (o.c.period_s > 0.0) {
     const std::size_t axes = o.two_axes() ? 2 : 1;
     h.peak_base_shear.assign(r.peak_base_shear.begin(), r.peak_base_shear.begin() + axes);

@@ -9,6 +9,8 @@
 #include <string_view>
 
 #include "glissade/core/error.hpp"
+#include "glissade/io/record_file.hpp"
+#include "glissade/study/cases/case_scene.hpp"
 #include "output_rule.hpp"
 
 namespace glissade::cli {
@@ -52,6 +54,31 @@ void take_case(SlideOptions& o, ProblemList& problems) {
     p.of(o.c) = *o.given[i];
   }
   if (!o.given[parameter_index("friction", "across_mu")]) o.c.friction_across = o.c.friction;
+}
+
+/// No oscillator is between ground and array, and friction is Coulomb's.
+bool has_rigid_roof(const Case& c) {
+  return c.period_s == 0.0 && c.vertical_period_s == 0.0 && two_axis_block(c).law.is_coulomb();
+}
+
+/// A motion of a suite has its components, their steps and units; one of a roof has no building.
+void check_motion(const SlideOptions& o, ProblemList& problems) {
+  const auto refuse = [&](bool given, const std::string& option, const char* why) {
+    if (given) problems.add({option, o.record + why, "leave it out", ""});
+  };
+  constexpr const char *of_suite = " has its components, steps and units from its suite",
+                       *of_roof = " is the motion of a roof: nothing is computed below the array";
+  if (names_motion(o)) {
+    refuse(o.dt_s.has_value(), "--dt-s", of_suite);
+    refuse(!o.units.empty(), "--units", of_suite);
+    refuse(o.counts_per_unit.has_value(), "--counts-per-unit", of_suite);
+  }
+  for (std::size_t i = 0; o.of_roof && i < parameters().size(); ++i) {
+    const Parameter& p = parameters()[i];
+    const std::string_view table = p.table;
+    if (table == "building" || table == "vertical")
+      refuse(o.given[i].has_value() && *o.given[i] != 0.0, option_of(p), of_roof);
+  }
 }
 
 /// Conditions on the model's extensions, each and together.
@@ -103,12 +130,18 @@ void check_model(const SlideOptions& o, ProblemList& problems) {
   refuse(o.method != "event", "--method");
   refuse(o.cm_height_m.has_value(), "--centre-of-mass-height-m");
   if (kernel == Kernel::full) {
-    refuse(!o.history.empty(), "--history");
+    if (!o.history.empty() && !(o.two_axes() && has_rigid_roof(o.c)))
+      problems.add({"--history", "needs one axis, or two on a rigid roof, and Coulomb friction",
+                    "leave it out, or give the motion of the roof without --period-s", ""});
     refuse(o.one_way, "--one-way");
   }
 }
 
 }  // namespace
+
+bool names_motion(const SlideOptions& o) {
+  return std::filesystem::path(split_address(o.record).file).extension() == ".toml";
+}
 
 KernelChoice kernel_for(const SlideOptions& o) {
   StudyConfig config;
@@ -157,6 +190,7 @@ void check(SlideOptions& o) {
   } catch (const InputError& error) {
     problems.add(error);
   }
+  check_motion(o, problems);
   check_model(o, problems);
   problems.throw_if_any();
 }
@@ -166,7 +200,8 @@ void add_options(CLI::App& command, SlideOptions& o) {
       .add_option(
           "record", o.record,
           "horizontal acceleration along the slope: a file of any format of suites/README.md, "
-          "FILE#COMPONENT of several")
+          "FILE#COMPONENT of several; or a motion of a suite, SUITE.toml#ID: all its components, "
+          "with its factor")
       ->required();
   command.add_option("--vertical", o.vertical, "vertical acceleration, up positive");
   command.add_option(
@@ -200,7 +235,8 @@ void add_options(CLI::App& command, SlideOptions& o) {
   command.add_option("--units", o.units, "units of files that do not state theirs: g, m/s2, cm/s2");
   command.add_option("--counts-per-unit", o.counts_per_unit,
                      "counts of the recorder for one of --units (miniSEED)");
-  command.add_option("--history", o.history, "write the slip history to this CSV file (one axis)");
+  command.add_option("--history", o.history,
+                     "write the slip history to this CSV file (one axis, or two on a rigid roof)");
   add_overwrite(command, o.overwrite);
   command.add_flag("--json", o.json, "print one JSON object");
 }

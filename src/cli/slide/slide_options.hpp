@@ -18,10 +18,14 @@ struct SlideOptions {
   std::optional<double> scale, pga_g, dt_s, counts_per_unit, cm_height_m, base_width_m, clearance_m;
   std::optional<int> given_substeps;  ///< absent: 64
   bool one_way = false, json = false, overwrite = false;
+  bool of_roof = false;  ///< the motion is that of the roof: nothing is between it and the array
 
   bool two_axes() const { return !second.empty(); }
   int substeps() const { return given_substeps.value_or(64); }
 };
+
+/// A record that is a motion of a suite, "SUITE.toml#ID".
+bool names_motion(const SlideOptions& options);
 
 void add_options(CLI::App& command, SlideOptions& options);
 
