@@ -21,6 +21,9 @@ Table clearance_periods_table(const Results& results);
 Table clearance_orientations_table(const Results& results);
 /// Every condition in each orientation: by period, and the largest over the periods.
 std::vector<Table> clearance_by_orientation_tables(const Results& results);
+/// By condition: the suite's mean over that on the building of the reference strength. Without rows
+/// where no building yields.
+Table clearance_yielding_table(const Results& results);
 /// Every history that was run.
 Table clearance_histories_table(const Results& results);
 

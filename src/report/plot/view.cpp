@@ -72,8 +72,9 @@ void add_lines(Panel& panel, const View& view) {
     aside += view.apart;
     const std::vector<std::vector<Cell>> rows = rows_where(shown, line.where);
     const auto x_of = [&](const std::vector<Cell>& row) {
-      const auto* text = std::get_if<std::string>(&row[x.place]);
-      return text != nullptr ? view.places.at(*text) : x.number(row);
+      const auto place = std::ranges::find_if(
+          view.places, [&](const auto& of) { return are_same(of.first, row[x.place]); });
+      return place != view.places.end() ? place->second.at : x.number(row);
     };
     for (const std::vector<Cell>& row : rows) series.add(x_of(row), y.number(row));
     if (!line.low.empty()) {
@@ -85,7 +86,9 @@ void add_lines(Panel& panel, const View& view) {
     }
     panel.series.push_back(std::move(series));
   }
-  panel.series.insert(panel.series.begin(), spreads.begin(), spreads.end());
+  const auto first_line = std::ranges::find_if(
+      panel.series, [](const DataSeries& series) { return series.low.empty(); });
+  panel.series.insert(first_line, spreads.begin(), spreads.end());
 }
 
 Panel panel_of(const View& view, const std::string& x_label) {
@@ -96,6 +99,9 @@ Panel panel_of(const View& view, const std::string& x_label) {
       panel.x.low = std::min(panel.x.low, x);
       panel.x.high = std::max(panel.x.high, x);
     }
+  for (const auto& [cell, tick] : view.places)
+    if (!tick.label.empty()) panel.x.ticks.push_back(tick);
+  if (!panel.x.ticks.empty()) panel.x.values = Axis::Values::names;
   return panel;
 }
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <map>
 #include <string>
 #include <utility>
 #include <vector>
@@ -30,15 +29,15 @@ struct View {
   std::string x;  ///< column
   std::vector<ViewLine> lines;
   Where where = {};
-  std::map<std::string, double> places = {};         ///< on the x axis, of texts
+  std::vector<std::pair<Cell, Tick>> places = {};    ///< on the x axis, of texts or named numbers
   DataSeries::Kind spread = DataSeries::Kind::band;  ///< or bars
   std::string spread_name = "95 % interval";
   double apart = 0.0;  ///< from line to line along x, so that bars do not hide each other
 };
 
-/// Adds the lines above what is in the panel, and their spreads below.
+/// Adds the lines above what is in the panel, and their spreads below all lines.
 void add_lines(Panel& panel, const View& view);
-/// A panel of them, with an x axis from the first to the last.
+/// A panel of them, with an x axis from the first to the last and the names of the places.
 Panel panel_of(const View& view, const std::string& x_label);
 /// Of lines, spreads and level rules the largest finite number, at least 0.
 double largest_y(const Panel& panel);

@@ -10,11 +10,13 @@
 #include "figure_facts.hpp"
 #include "glissade/report/base_shear_report.hpp"
 #include "glissade/report/format.hpp"
+#include "glissade/report/tables.hpp"
 
 namespace glissade {
 namespace {
 
 using test::states;
+using testing::ElementsAre;
 using testing::Not;
 
 constexpr double inch = 0.0254;
@@ -304,6 +306,38 @@ TEST(base_shear_report, of_one_support_has_no_comparison) {
   r.base_shear = BaseShearAnalysis::find({}, r);
   EXPECT_EQ(base_shear_sentences(r).size(), 1u);
   EXPECT_EQ(base_shear_figures(r).size(), 1u);
+}
+
+// The numbers of the figures, whatever the axes, are those of the tables.
+TEST(clearance_report, figures_have_the_numbers_of_the_tables) {
+  const auto of_tables = [](Results r) {
+    analyse(r);
+    r.base_shear = BaseShearAnalysis::find({}, r);
+    std::vector<Figure> figures = clearance_figures(r);
+    for (Figure& figure : base_shear_figures(r)) figures.push_back(std::move(figure));
+    return figures_of_tables(figures, csv_tables(r));
+  };
+  Results r = made_up();
+  EXPECT_THAT(of_tables(r), ElementsAre("period", "orientations", "base_shear"));
+  r.conditions->grid.support[1] = ArraySupport::no_array;
+  EXPECT_THAT(of_tables(r),
+              ElementsAre("period", "orientations", "base_shear", "base_shear_ratio"));
+  r.conditions->grid.support = {ArraySupport::isolated};
+  const ConditionGrid one = r.conditions->grid;
+  std::vector<ConditionGrid> several(4, one);
+  several[0].slope_deg = {1.2, 2.4};
+  several[1].level = {2.0 / 3, 1.0};
+  several[2].response_modification = {0.0, 2.0};
+  several[3].vertical = {{VerticalChoice::none, 0.0}, {VerticalChoice::if_available, 0.0}};
+  for (const ConditionGrid& grid : several) {
+    r.conditions->grid = grid;
+    EXPECT_EQ(of_tables(r).size(), 4u);  // slope, mce, yielding, vertical
+  }
+  r = made_up();
+  r.suites.push_back(r.suites.front());
+  r.suites.back().name = "other";
+  r.records[1].suite = 1;
+  EXPECT_THAT(of_tables(r), ElementsAre("level", "base_shear"));
 }
 
 TEST(clearance_report, histories_have_base_shears_only_beside_that_analysis) {

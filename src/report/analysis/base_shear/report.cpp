@@ -91,7 +91,7 @@ MeansByCondition means_of(const Results& results) {
 }
 
 std::vector<Table> tables(const Results& results) {
-  return {base_shear_table(results),
+  return {base_shear_table(results), base_shear_ratio_table(results),
           means_by_orientation_table(means_of(results), "base_shear_by_orientation",
                                      what + std::string("in each orientation"))};
 }
@@ -104,6 +104,22 @@ Html section(const Results& results) {
 
 Table base_shear_table(const Results& results) {
   return means_table(means_of(results), "base_shear", what + std::string("over the orientations"));
+}
+
+Table base_shear_ratio_table(const Results& results) {
+  const ConditionGrid& grid = results.conditions->grid;
+  const auto bare = place_of(grid, ArraySupport::no_array);
+  std::vector<Condition> places = all_conditions(grid);
+  std::erase_if(places,
+                [&](const Condition& at) { return !bare || at[ConditionAxis::support] == *bare; });
+  return ratios_table({results,
+                       {.number = HistoryNumber::base_shear},
+                       ConditionColumns(results),
+                       places,
+                       [&](const Condition& at) { return at.with(ConditionAxis::support, *bare); }},
+                      "base_shear_ratio",
+                      "Base shear: the suite's mean over that without an array, over the "
+                      "orientations");
 }
 
 std::vector<std::string> base_shear_sentences(const Results& results) {

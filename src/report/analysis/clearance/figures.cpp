@@ -2,13 +2,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 
 #include "analysis/clearance/orientation_figures.hpp"
 #include "analysis/conditions/family.hpp"
 #include "analysis/conditions/view.hpp"
 #include "analysis/suite/spectra_figure.hpp"
-#include "glissade/core/units.hpp"
 #include "glissade/report/clearance_report.hpp"
 #include "glissade/report/format.hpp"
 #include "text/study_text.hpp"
@@ -54,21 +52,18 @@ Figure period_figure(const Results& results) {
     members = shown_along(grid, mass);
     same.push_back(vertical);
   }
-  Family family(results, period_label, grid.period_s);
-  for (std::size_t i = 0; i < members.size(); ++i) {
-    const std::string label = distinguished(grid, members[i], same);
-    family.add(label.empty() ? "median of the orientations" : label, family_look(i, members.size()),
-               along(grid, period, members[i]));
-  }
+  const View view = medians_over(results, period, clearance_periods_table(results), members,
+                                 [&](const Condition& at) {
+                                   const std::string label = distinguished(grid, at, same);
+                                   return label.empty() ? "median of the orientations" : label;
+                                 });
   const double clearance_m = results.clearance->factor * largest_m;
   Look rule = look(Role::clearance);
   rule.width = 2.5;
   rule.dash = 2;
-  family.add_level(
-      clearance_m,
+  const std::string clearance_label =
       fmt::format("clearance, {:g} x the largest mean{}: {}", results.clearance->factor,
-                  rule_text(results), format_length(clearance_m)),
-      rule);
+                  rule_text(results), format_length(clearance_m));
   return {"period",
           "Displacement over the building's period at " +
               label_of(grid, level, shown_condition(grid)) + ", and the clearance",
@@ -77,15 +72,8 @@ Figure period_figure(const Results& results) {
               results, 13,
               ". All records have the same orientation: the median over the orientations is drawn, "
               "and the clearance is of the mass ratio and vertical motion with the largest"),
-          family.displacements()};
-}
-
-/// Of the building periods as many as a panel takes, from the shortest to the longest.
-Places drawn_buildings(const Results& results, std::size_t most) {
-  Places all = shown_along(results.conditions->grid, period);
-  Places drawn;
-  for (const std::size_t i : evenly(all.size(), most)) drawn.push_back(all[i]);
-  return drawn;
+          {means_panel(results, {view}, period_label,
+                       {{Rule::Kind::horizontal, clearance_m, rule, clearance_label}})}};
 }
 
 std::string left_out_text(const Results& results, std::size_t most) {
@@ -95,14 +83,15 @@ std::string left_out_text(const Results& results, std::size_t most) {
                      periods, most);
 }
 
-/// A line for each of these periods over the places of another axis.
-void add_buildings(const Results& results, ConditionAxis axis, std::size_t most, Family& family) {
-  const Places buildings = drawn_buildings(results, most);
-  for (std::size_t i = 0; i < buildings.size(); ++i) {
-    family.add("building of " + label_of(results.conditions->grid, period, buildings[i]),
-               family_look(i, buildings.size()),
-               along(results.conditions->grid, axis, buildings[i]));
-  }
+/// A line over an axis for each of the building periods, or of as many as a panel takes.
+View by_building(const Results& results, ConditionAxis x, const Table& table,
+                 std::size_t most = 99) {
+  const Places all = shown_along(results.conditions->grid, period);
+  Places drawn;
+  for (const std::size_t i : evenly(all.size(), most)) drawn.push_back(all[i]);
+  return medians_over(results, x, table, drawn, [&](const Condition& at) {
+    return "building of " + label_of(results.conditions->grid, period, at);
+  });
 }
 
 /// S_DS of the design spectrum that the suite is scaled to the MCE of; 0: it is not.
@@ -113,119 +102,106 @@ double sds_of(const SuiteSummary& suite) {
 
 /// Fig. 14: displacement over the suites.
 Figure level_figure(const Results& results) {
-  std::vector<double> sds_g, place;
-  std::vector<std::string> names;
+  View view = by_building(results, support, clearance_periods_table(results));
+  view.x = "suite";
+  view.where.clear();
+  const bool by_sds = std::ranges::all_of(
+      results.suites, [](const SuiteSummary& suite) { return sds_of(suite) > 0.0; });
   for (const SuiteSummary& suite : results.suites) {
-    sds_g.push_back(sds_of(suite));
-    place.push_back(static_cast<double>(place.size()));
-    names.push_back(suite.name);
+    const auto place = static_cast<double>(view.places.size());
+    view.places.push_back({suite.name, by_sds ? Tick{sds_of(suite)} : Tick{place, suite.name}});
   }
-  const bool by_sds = std::ranges::min(sds_g) > 0.0;
-  Family family(results, by_sds ? "S_DS of the suite's design spectrum (g)" : "Suite",
-                by_sds ? sds_g : place);
-  if (!by_sds) family.name_ticks(names);
-  const Places buildings = shown_along(results.conditions->grid, period);
-  for (std::size_t i = 0; i < buildings.size(); ++i) {
-    std::vector<std::vector<double>> by_suite;
-    for (std::size_t suite = 0; suite < results.suites.size(); ++suite) {
-      by_suite.push_back(
-          means_by_orientation(results, {.suite = suite}, buildings[i], Periods::one));
-      std::ranges::sort(by_suite.back());
-    }
-    family.add_numbers("building of " + label_of(results.conditions->grid, period, i),
-                       family_look(i, buildings.size()), by_suite);
-  }
-  return {"level", "Displacement over the design spectral acceleration",
-          conditions_text(results, shown_condition(results.conditions->grid), {period, support}),
-          after_walters(results, 14), family.displacements()};
+  return {
+      "level",
+      "Displacement over the design spectral acceleration",
+      conditions_text(results, shown_condition(results.conditions->grid), {period, support}),
+      after_walters(results, 14),
+      {means_panel(results, {view}, by_sds ? "S_DS of the suite's design spectrum (g)" : "Suite")}};
 }
 
 /// Fig. 15: displacement over R, relative to that of the reference strength.
 Figure yielding_figure(const Results& results) {
-  const ConditionGrid& grid = results.conditions->grid;
-  Family family(results, "Response modification R (0: elastic)", grid.response_modification);
-  const Places buildings = shown_along(grid, period);
-  for (std::size_t i = 0; i < buildings.size(); ++i) {
-    std::vector<std::vector<double>> ratios;
-    for (const Condition& at : along(grid, response_modification, buildings[i]))
-      ratios.push_back(
-          ratios_by_orientation(results, {}, at, with_reference_strength(grid, buildings[i])));
-    family.add_numbers("building of " + label_of(grid, period, i), family_look(i, buildings.size()),
-                       ratios);
-  }
-  const std::string reference = reference_strength_text(grid);
-  family.add_level(1.0, reference, look(Role::reference));
-  return {"yielding", "Effect of a yielding building on the displacement",
+  const std::string reference = reference_strength_text(results.conditions->grid);
+  const View view = by_building(results, response_modification, clearance_yielding_table(results));
+  return {"yielding",
+          "Effect of a yielding building on the displacement",
           below_text(results, {response_modification}),
           after_walters(
               results, 15,
               ", over the same on " + reference +
                   ". At R the building yields where the design spectrum requires an elastic force "
                   "R times as large; 0 is elastic"),
-          family.ratios("Displacement over that on " + reference)};
+          {means_panel(results, {view}, "Response modification R (0: elastic)",
+                       {{Rule::Kind::horizontal, 1.0, look(Role::reference), reference}},
+                       {"Displacement over that on " + reference, ColumnKind::number})}};
 }
 
 /// Fig. 17: displacement over slope by period.
 Figure slope_figure(const Results& results) {
   const ConditionGrid& grid = results.conditions->grid;
-  std::vector<double> x;
-  std::vector<std::string> ticks;
-  for (const double slope_deg : grid.slope_deg) {
-    x.push_back(12.0 * std::tan(slope_deg * rad_per_deg));
-    ticks.push_back(slope_name(slope_deg));
-  }
-  Family family(results, "Roof slope (rise in 12)", x);
-  family.name_ticks(ticks);
-  Look thick = look(Role::median);
-  thick.width = 3.5;
-  family.add("largest over the periods", thick, shown_along(grid, slope), {}, Periods::largest);
+  View largest = medians_over(results, slope, clearance_table(results), {shown_condition(grid)},
+                              [](const Condition&) { return "largest over the periods"; });
+  largest.lines[0].look = look(Role::median);
+  largest.lines[0].look.width = 3.5;
+  for (const double slope_deg : grid.slope_deg)
+    largest.places.push_back({slope_deg, {slope_deg, slope_name(slope_deg)}});
+  std::vector<View> views{largest};
   constexpr std::size_t most = 3;  // beside the largest
-  if (has_several(grid, period)) add_buildings(results, slope, most, family);
-  return {"slope", "Displacement over the roof's slope", below_text(results, {slope}),
-          after_walters(results, 17) + left_out_text(results, most), family.displacements()};
+  if (has_several(grid, period))
+    views.push_back(by_building(results, slope, clearance_periods_table(results), most));
+  return {"slope",
+          "Displacement over the roof's slope",
+          below_text(results, {slope}),
+          after_walters(results, 17) + left_out_text(results, most),
+          {means_panel(results, views, "Roof slope (rise in 12)")}};
 }
 
 /// Fig. 18: displacement over the period by level.
 Figure mce_figure(const Results& results) {
   const ConditionGrid& grid = results.conditions->grid;
-  Family family(results, period_label, grid.period_s);
   const Places levels = shown_along(grid, level);
-  for (std::size_t i = 0; i < levels.size(); ++i) {
-    family.add(label_of(grid, level, i), family_look(i, levels.size()),
-               along(grid, period, levels[i]));
-  }
+  const View view = medians_over(results, period, clearance_periods_table(results), levels,
+                                 [&](const Condition& at) { return label_of(grid, level, at); });
   const Condition shown = shown_condition(grid);
   const OrientationRange largest = over_orientations(results, {}, shown, Periods::largest);
   Look rule = family_look(shown[level], levels.size());
   rule.dash = 2;
-  family.add_level(largest.highest,
-                   fmt::format("largest over periods and orientations at {}: {}",
-                               label_of(grid, level, shown), format_length(largest.highest)),
-                   rule);
-  return {"mce", "Displacement at several levels of shaking", below_text(results, {level}),
-          after_walters(results, 18), family.displacements()};
+  const std::string label =
+      fmt::format("largest over periods and orientations at {}: {}", label_of(grid, level, shown),
+                  format_length(largest.highest));
+  return {"mce",
+          "Displacement at several levels of shaking",
+          below_text(results, {level}),
+          after_walters(results, 18),
+          {means_panel(results, {view}, period_label,
+                       {{Rule::Kind::horizontal, largest.highest, rule, label}})}};
 }
 
 /// Displacement over the roof's vertical period by the building's.
 Figure vertical_figure(const Results& results) {
-  std::vector<double> x;
-  std::vector<std::string> ticks;
-  for (const VerticalCondition& condition : results.conditions->grid.vertical) {
-    x.push_back(static_cast<double>(x.size()));
-    ticks.push_back(condition.use == VerticalChoice::none ? "none"
-                    : condition.period_s == 0.0           ? "rigid"
-                                                : fmt::format("{:g} s", condition.period_s));
-  }
-  Family family(results, "Vertical motion of the roof", x, Spread::bars);
-  family.name_ticks(ticks);
   constexpr std::size_t most = 4;
-  add_buildings(results, vertical, most, family);
-  return {"vertical", "Effect of the roof's vertical motion on the displacement",
+  View view = by_building(results, vertical, clearance_periods_table(results), most);
+  view.spread = DataSeries::Kind::bars;
+  view.apart = 0.05;
+  for (ViewLine& line : view.lines) {  // names have nothing between them
+    line.kind = DataSeries::Kind::points;
+    line.look.symbol_size = 1.4;
+  }
+  const ConditionGrid& grid = results.conditions->grid;
+  for (std::size_t i = 0; i < grid.vertical.size(); ++i) {
+    const auto& [use, period_s] = grid.vertical[i];
+    const std::string name = use == VerticalChoice::none ? "none"
+                             : period_s == 0.0           ? "rigid"
+                                                         : fmt::format("{:g} s", period_s);
+    view.places.push_back({label_of(grid, vertical, i), {static_cast<double>(i), name}});
+  }
+  return {"vertical",
+          "Effect of the roof's vertical motion on the displacement",
           below_text(results, {vertical}),
           "None: no vertical motion. Rigid: the roof moves vertically with the ground, as Walters "
           "et al. (2012) assume. Else: with its own vertical period, with the study's damping. " +
               what_is_averaged(results) + "." + left_out_text(results, most),
-          family.displacements()};
+          {means_panel(results, {view}, "Vertical motion of the roof")}};
 }
 
 }  // namespace

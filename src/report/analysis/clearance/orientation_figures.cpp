@@ -7,6 +7,7 @@
 
 #include "analysis/conditions/family.hpp"
 #include "analysis/conditions/view.hpp"
+#include "glissade/report/clearance_report.hpp"
 
 namespace glissade {
 namespace {
@@ -24,20 +25,22 @@ std::string line_label(const Results& results, const Orientation& orientation) {
 /// The distinct orientations, a line each over the period.
 Figure each_orientation_figure(const Results& results, const std::vector<std::size_t>& distinct) {
   constexpr std::size_t most_in_panel = 4;
+  const Table of_each = clearance_by_orientation_tables(results).front();
+  const Where where =
+      rows_at(results, of_each, shown_condition(results.conditions->grid), ConditionAxis::period);
   std::vector<Panel> panels;
   double top = 0.0;
   for (std::size_t first = 0; first < distinct.size(); first += most_in_panel) {
-    Family family(results, period_label, results.conditions->grid.period_s, Spread::none);
+    View view{of_each, "period", {}, where};
     const std::size_t count = std::min(most_in_panel, distinct.size() - first);
     for (std::size_t i = 0; i < count; ++i) {
       const std::size_t orientation = distinct[first + i];
-      std::vector<double> means;
-      for (const Condition& at : shown_along(results.conditions->grid, ConditionAxis::period))
-        means.push_back(suite_mean(results, {}, orientation, at));
-      family.add_line(line_label(results, results.conditions->orientations[orientation]),
-                      family_look(i, count), means);
+      view.lines.push_back({line_label(results, results.conditions->orientations[orientation]),
+                            family_look(i, count),
+                            "mean",
+                            {{"orientation", static_cast<double>(orientation + 1)}}});
     }
-    panels.push_back(family.displacements().front());
+    panels.push_back(means_panel(results, {view}, period_label));
     top = std::max(top, panels.back().y.high);
   }
   for (Panel& panel : panels) panel.y = length_axis("Mean displacement", top);

@@ -45,6 +45,7 @@ std::vector<Table> page_tables(const Results& results) {
 std::vector<Table> file_tables(const Results& results) {
   std::vector<Table> tables = page_tables(results);
   for (Table& table : clearance_by_orientation_tables(results)) tables.push_back(std::move(table));
+  tables.push_back(clearance_yielding_table(results));
   tables.push_back(clearance_histories_table(results));
   return tables;
 }

@@ -59,6 +59,20 @@ Table clearance_periods_table(const Results& results) {
                      "The suite's mean displacement by building period, over the orientations");
 }
 
+Table clearance_yielding_table(const Results& results) {
+  const ConditionGrid& grid = results.conditions->grid;
+  std::vector<Condition> places = sliding_conditions(grid, Periods::one);
+  if (!covers(results, ClearanceTopic::yielding)) places.clear();
+  return ratios_table({results,
+                       {},
+                       ConditionColumns(results, {ConditionAxis::support}),
+                       places,
+                       [&](const Condition& at) { return with_reference_strength(grid, at); }},
+                      "yielding",
+                      "The suite's mean displacement over that on " +
+                          reference_strength_text(grid) + ", over the orientations");
+}
+
 std::vector<Table> clearance_by_orientation_tables(const Results& results) {
   return {means_by_orientation_table(
               means_by_period(results), "by_orientation",

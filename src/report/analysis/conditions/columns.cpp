@@ -28,6 +28,24 @@ Column condition_level_column(const Results& results) {
           "intensity level"};
 }
 
+Cell condition_cell(const Results& results, ConditionAxis axis, std::size_t place) {
+  const ConditionGrid& grid = results.conditions->grid;
+  switch (axis) {
+    case ConditionAxis::response_modification:
+      return grid.response_modification[place];
+    case ConditionAxis::mass:
+      return grid.mass_ratio[place];
+    case ConditionAxis::slope:
+      return grid.slope_deg[place];
+    case ConditionAxis::level:
+      return grid.level[place];
+    case ConditionAxis::period:
+      return grid.period_s[place];
+    default:
+      return label_of(grid, axis, place);
+  }
+}
+
 }  // namespace
 
 ConditionColumns::ConditionColumns(const Results& results, std::vector<ConditionAxis> without)
@@ -43,18 +61,18 @@ std::vector<Column> ConditionColumns::columns() const {
   std::vector<Column> columns;
   if (results_.suites.size() > 1)
     columns.push_back(text_column("suite", "Suite", "name of the suite"));
-  for (const ConditionAxis axis : axes_) columns.push_back(column(axis));
+  for (const ConditionAxis axis : axes_) columns.push_back(condition_column_of(results_, axis));
   return columns;
 }
 
 std::vector<Cell> ConditionColumns::cells(std::size_t suite, const Condition& at) const {
   std::vector<Cell> cells;
   if (results_.suites.size() > 1) cells.emplace_back(results_.suites[suite].name);
-  for (const ConditionAxis axis : axes_) cells.push_back(cell(axis, at[axis]));
+  for (const ConditionAxis axis : axes_) cells.push_back(condition_cell(results_, axis, at[axis]));
   return cells;
 }
 
-Column ConditionColumns::column(ConditionAxis axis) const {
+Column condition_column_of(const Results& results, ConditionAxis axis) {
   switch (axis) {
     case ConditionAxis::listed:
       return condition_column;
@@ -69,29 +87,22 @@ Column ConditionColumns::column(ConditionAxis axis) const {
     case ConditionAxis::slope:
       return listed_column("roof", "slope_deg");
     case ConditionAxis::level:
-      return condition_level_column(results_);
+      return condition_level_column(results);
     case ConditionAxis::period:
       return listed_column("building", "period_s");
   }
   return {};
 }
 
-Cell ConditionColumns::cell(ConditionAxis axis, std::size_t place) const {
-  const ConditionGrid& grid = results_.conditions->grid;
-  switch (axis) {
-    case ConditionAxis::response_modification:
-      return grid.response_modification[place];
-    case ConditionAxis::mass:
-      return grid.mass_ratio[place];
-    case ConditionAxis::slope:
-      return grid.slope_deg[place];
-    case ConditionAxis::level:
-      return grid.level[place];
-    case ConditionAxis::period:
-      return grid.period_s[place];
-    default:
-      return label_of(grid, axis, place);
+Where rows_at(const Results& results, const Table& table, const Condition& at, ConditionAxis but) {
+  Where rows;
+  for (const ConditionAxis axis : condition_axes) {
+    const std::string stem = condition_column_of(results, axis).stem;
+    if (axis != but && has_several(results.conditions->grid, axis) &&
+        std::ranges::count(table.columns, stem, &Column::stem) > 0)
+      rows.emplace_back(stem, condition_cell(results, axis, at[axis]));
   }
+  return rows;
 }
 
 Column range_column(const char* stem, const char* heading, const std::string& description,

@@ -5,6 +5,7 @@
 
 #include "glissade/report/table.hpp"
 #include "glissade/study/results.hpp"
+#include "plot/view.hpp"
 
 namespace glissade {
 
@@ -17,12 +18,14 @@ class ConditionColumns {
   std::vector<Cell> cells(std::size_t suite, const Condition& at) const;
 
  private:
-  Column column(ConditionAxis axis) const;
-  Cell cell(ConditionAxis axis, std::size_t place) const;
-
   const Results& results_;
   std::vector<ConditionAxis> axes_;
 };
+
+/// The column of an axis.
+Column condition_column_of(const Results& results, ConditionAxis axis);
+/// The rows of a table at a condition but for its place on an axis.
+Where rows_at(const Results& results, const Table& table, const Condition& at, ConditionAxis but);
 
 /// Of a length, or another number.
 Column range_column(const char* stem, const char* heading, const std::string& description = "",

@@ -7,7 +7,6 @@
 #include <cmath>
 
 #include "analysis/conditions/view.hpp"
-#include "glissade/core/quantile.hpp"
 #include "glissade/report/format.hpp"
 #include "text/study_text.hpp"
 
@@ -21,113 +20,79 @@ Places places_of(const ConditionGrid& grid, ConditionAxis slow, ConditionAxis fa
   return places;
 }
 
-Family::Family(const Results& results, const std::string& x_label, std::vector<double> x,
-               Spread spread)
-    : results_(results),
-      x_(std::move(x)),
-      spread_(results.conditions->orientations.size() > 1 ? spread : Spread::none) {
-  const auto [first, last] = std::ranges::minmax(x_);
-  const double room = (spread == Spread::bars ? 0.3 : 0.05) * std::max(last - first, 1e-9);
-  panel_.x = {x_label, first - room, last + room};
-}
-
-void Family::add_range(const std::string& label, Look look, const std::vector<double>& lowest,
-                       const std::vector<double>& median, const std::vector<double>& highest) {
-  const bool bars = spread_ == Spread::bars;
-  std::vector<double> x = x_;
-  // Places that are names have nothing between them: points, side by side.
-  if (bars)
-    for (double& at : x) at += 0.05 * static_cast<double>(spreads_.size());
-  panel_.series.push_back({bars ? DataSeries::Kind::points : DataSeries::Kind::line_and_points,
-                           look, label, label, x, median});
-  if (bars) panel_.series.back().look.symbol_size = 1.4;
-  if (spread_ == Spread::none) return;
-  const auto kind = bars ? DataSeries::Kind::bars : DataSeries::Kind::band;
-  spreads_.push_back({kind, look, label + ": lowest and highest", "", x, {}, lowest, highest});
-}
-
-void Family::add(const std::string& label, Look look, const Places& places,
-                 const MeanQuestion& question, Periods periods) {
-  std::vector<double> lowest, median, highest;
-  for (const Condition& at : places) {
-    const OrientationRange range = over_orientations(results_, question, at, periods);
-    lowest.push_back(range.lowest);
-    median.push_back(range.median);
-    highest.push_back(range.highest);
+View medians_over(const Results& results, ConditionAxis x, const Table& table,
+                  const Places& members, const std::function<std::string(const Condition&)>& name) {
+  View view{table, condition_column_of(results, x).stem, {}};
+  view.spread_name = "lowest and highest";
+  if (results.suites.size() > 1) view.where = {{"suite", results.suites.front().name}};
+  for (const Condition& at : members) {
+    view.lines.push_back({name(at), family_look(view.lines.size(), members.size()), "median",
+                          rows_at(results, table, at, x)});
+    if (results.conditions->orientations.size() < 2) continue;
+    view.lines.back().low = "lowest";
+    view.lines.back().high = "highest";
   }
-  add_range(label, look, lowest, median, highest);
+  return view;
 }
 
-void Family::add_numbers(const std::string& label, Look look,
-                         const std::vector<std::vector<double>>& numbers) {
-  std::vector<double> lowest, median, highest;
-  for (const std::vector<double>& sorted : numbers) {
-    lowest.push_back(sorted.empty() ? std::nan("") : sorted.front());
-    median.push_back(quantile_of(sorted, 0.5));
-    highest.push_back(sorted.empty() ? std::nan("") : sorted.back());
+namespace {
+
+bool is_spread(const DataSeries& series) { return !series.low.empty(); }
+
+/// Takes out spreads that cannot be seen, or not be distinguished: of more than a few bands over
+/// one another the first stays. Says in the key what those are that stay.
+void thin_out_spreads(const Results& results, Panel& panel) {
+  const double visible = 0.01 * (panel.y.high - panel.y.low);
+  const auto is_wide = [&](const DataSeries& series) {
+    for (std::size_t i = 0; i < series.low.size(); ++i)
+      if (series.high[i] - series.low[i] > visible) return true;
+    return false;
+  };
+  if (std::ranges::none_of(panel.series, is_wide)) {
+    std::erase_if(panel.series, is_spread);
+    return;
   }
-  add_range(label, look, lowest, median, highest);
+  const DataSeries first = *std::ranges::find_if(panel.series, is_spread);
+  const bool bars = first.kind == DataSeries::Kind::bars,
+             all = bars || std::ranges::count_if(panel.series, is_spread) <= 3;
+  if (!all)
+    std::erase_if(panel.series, [&](const DataSeries& series) {
+      return is_spread(series) && series.name != first.name;
+    });
+  panel.series.push_back({first.kind, all ? look(Role::largest) : first.look, "",
+                          fmt::format("{}: lowest to highest of the {}{}; {}: median",
+                                      bars ? "bars" : "shaded", orientations_text(results),
+                                      all ? "" : " (first line)", bars ? "points" : "lines")});
 }
 
-void Family::add_line(const std::string& label, Look look, std::vector<double> y) {
-  const auto kind = look.symbol == 0 ? DataSeries::Kind::line : DataSeries::Kind::line_and_points;
-  panel_.series.push_back({kind, look, label, label, x_, std::move(y)});
-}
-
-void Family::add_level(double y, const std::string& label, Look look) {
-  panel_.rules.push_back({Rule::Kind::horizontal, y, look, label});
-}
-
-void Family::name_ticks(const std::vector<std::string>& labels) {
-  for (std::size_t i = 0; i < labels.size(); ++i) panel_.x.ticks.push_back({x_.at(i), labels[i]});
-  panel_.x.values = Axis::Values::names;
-}
-
-double Family::largest_y() const {
-  double found = 0.0;
-  for (const DataSeries& series : panel_.series) found = std::max(found, largest(series.y));
-  for (const DataSeries& series : spreads_) found = std::max(found, largest(series.high));
-  for (const Rule& rule : panel_.rules) found = std::max(found, rule.at);
-  return found > 0.0 ? 1.12 * found : 1.0;
-}
-
-double Family::smallest_y() const {
-  double found = largest_y();
-  for (const DataSeries& series : panel_.series)
-    for (const double y : series.y) found = std::fmin(found, y);
-  for (const DataSeries& series : spreads_)
-    for (const double y : series.low) found = std::fmin(found, y);
+double smallest_y(const Panel& panel) {
+  double found = largest_y(panel);
+  for (const DataSeries& series : panel.series)
+    for (const std::vector<double>* values : {&series.y, &series.low})
+      for (const double y : *values) found = std::fmin(found, y);
   return found;
 }
 
-std::vector<Panel> Family::displacements(const std::string& label) {
-  panel_.y = length_axis(label, largest_y());
-  auto panels = ratios(panel_.y.label);
-  panels[0].y = panel_.y;
-  return panels;
-}
+}  // namespace
 
-std::vector<Panel> Family::ratios(const std::string& label, From from) {
-  Panel panel = panel_;
-  panel.y = {label, from == From::zero ? 0.0 : 0.97 * smallest_y(), largest_y()};
-  if (from == From::lowest) panel.y.high *= 1.03 / 1.12;
-  const double visible = 0.01 * (panel.y.high - panel.y.low);
-  const auto is_thin = [&](const DataSeries& spread) {
-    for (std::size_t i = 0; i < spread.high.size(); ++i)
-      if (spread.high[i] - spread.low[i] > visible) return false;
-    return true;
-  };
-  if (std::ranges::all_of(spreads_, is_thin)) return {panel};
-  // More than a few bands over one another cannot be distinguished: then the first alone has one.
-  const bool bars = spread_ == Spread::bars, all = bars || spreads_.size() <= 3;
-  panel.series.insert(panel.series.begin(), spreads_.begin(),
-                      all ? spreads_.end() : spreads_.begin() + 1);
-  panel.series.push_back({bars ? DataSeries::Kind::bars : DataSeries::Kind::band,
-                          all ? look(Role::largest) : spreads_.front().look, "",
-                          fmt::format("{}: lowest to highest of the {}{}; {}: median",
-                                      bars ? "bars" : "shaded", orientations_text(results_),
-                                      all ? "" : " (first line)", bars ? "points" : "lines")});
-  return {panel};
+Panel means_panel(const Results& results, const std::vector<View>& views,
+                  const std::string& x_label, const std::vector<Rule>& rules, const MeansAxis& y) {
+  Panel panel = panel_of(views.front(), x_label);
+  for (std::size_t i = 1; i < views.size(); ++i) add_lines(panel, views[i]);
+  const double room = (views.front().spread == DataSeries::Kind::bars ? 0.3 : 0.05) *
+                      std::max(panel.x.high - panel.x.low, 1e-9);
+  panel.x.low -= room;
+  panel.x.high += room;
+  panel.rules = rules;
+  const double top = largest_y(panel) > 0.0 ? largest_y(panel) : 1.0;
+  if (y.kind == ColumnKind::length)
+    panel.y = length_axis(y.label, 1.12 * top);
+  else if (y.from_zero)
+    panel.y = {y.label, 0.0, 1.12 * top};
+  else
+    panel.y = {y.label, 0.97 * smallest_y(panel), 1.03 * top};
+  thin_out_spreads(results, panel);
+  return panel;
 }
 
 std::string below_text(const Results& results, std::vector<ConditionAxis> shown) {

@@ -3,6 +3,10 @@
 
 #include <utility>
 
+#include "analysis/conditions/view.hpp"
+#include "glissade/core/finite.hpp"
+#include "glissade/core/quantile.hpp"
+
 namespace glissade {
 namespace {
 
@@ -78,6 +82,23 @@ Table means_by_orientation_table(const MeansByCondition& of, FileName name, std:
       append(row, {static_cast<double>(o + 1), of.means[i].by_orientation[o]});
       table.add(std::move(row));
     }
+  }
+  return table;
+}
+
+Table ratios_table(const RatiosByCondition& of, FileName name, std::string title) {
+  Table table{std::move(name), std::move(title), of.conditions.columns(), {}, {}};
+  constexpr ColumnKind number = ColumnKind::number;
+  append(table.columns, {range_column("lowest", "Lowest", "least orientation", number),
+                         range_column("median", "Median", "median over the orientations", number),
+                         range_column("highest", "Highest", "largest orientation", number)});
+  for (const Condition& at : of.places) {
+    const std::vector<double> ratios =
+        ratios_by_orientation(of.results, of.question, at, of.reference(at));
+    std::vector<Cell> row = of.conditions.cells(of.question.suite, at);
+    append(row, {ratios.empty() ? nan : ratios.front(), quantile_of(ratios, 0.5),
+                 ratios.empty() ? nan : ratios.back()});
+    table.add(std::move(row));
   }
   return table;
 }
