@@ -104,7 +104,8 @@ struct Axis {
   std::vector<Tick> ticks;  ///< empty: at round numbers
   enum class Values {
     numbers,
-    logarithms,  ///< of base 10; what is below the axis is drawn at its low end
+    logarithms,  ///< drawn at them; what is below the axis is drawn at its low end
+    shares,      ///< in percent
     names,       ///< of the nearest tick
   };
   Values values = Values::numbers;
@@ -112,8 +113,9 @@ struct Axis {
 };
 /// A displacement from 0 m on, in the unit that stands first.
 Axis length_axis(const std::string& label, double high_m);
-/// Values at their logarithms, which `low` and `high` are too. Ticks are at these digits times
-/// powers of ten, each with its text.
+/// From 0 to 100 %.
+Axis share_axis(const std::string& label);
+/// Values at their logarithms. Ticks are at these digits times powers of ten, each with its text.
 Axis log_axis(const std::string& label, double low, double high, std::string (*text)(double),
               const std::vector<double>& digits = {1.0});
 /// 1, 2 or 5 times a power of ten: about `count` ticks over the range.

@@ -93,14 +93,23 @@ void DataSeries::end_line() {
   add(gap, gap);
 }
 
+Axis share_axis(const std::string& label) {
+  Axis axis{label, 0.0, 1.0, {}, Axis::Values::shares};
+  for (int percent = 0; percent <= 100; percent += 20)
+    axis.ticks.push_back({percent / 100.0, fmt::format("{} %", percent)});
+  return axis;
+}
+
 Axis log_axis(const std::string& label, double low, double high, std::string (*text)(double),
               const std::vector<double>& digits) {
+  constexpr double rounding = 1e-12;
   Axis axis{label, low, high, {}, Axis::Values::logarithms};
-  for (int decade = static_cast<int>(std::floor(low)); decade <= high; ++decade) {
+  for (int decade = static_cast<int>(std::floor(std::log10(low) + rounding));
+       decade <= std::log10(high) + rounding; ++decade) {
     for (const double digit : digits) {
-      const double value = std::strtod(fmt::format("{:g}e{}", digit, decade).c_str(), nullptr),
-                   at = std::log10(value);
-      if (low <= at && at <= high) axis.ticks.push_back({at, text(value)});
+      const double at = std::strtod(fmt::format("{:g}e{}", digit, decade).c_str(), nullptr);
+      if (low * (1.0 - rounding) <= at && at <= high * (1.0 + rounding))
+        axis.ticks.push_back({at, text(at)});
     }
   }
   return axis;

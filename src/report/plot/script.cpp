@@ -141,8 +141,15 @@ void add_key_entry(Script& script, DataSeries::Kind kind, const Look& look,
 /// All series, lowest first; `index` counts the blocks of the data file.
 void add_plot(Script& script, const FileName& name, const Panel& panel, int& index) {
   // What is infinite leaves the panel.
-  script.add("shown(c) = stringcolumn(c) eq 'inf' ? {} : column(c)\n",
-             panel.y.high + 9.0 * (panel.y.high - panel.y.low));
+  const double outside = panel.y.high + 9.0 * (panel.y.high - panel.y.low);
+  const bool logarithms = panel.y.values == Axis::Values::logarithms;
+  if (logarithms)
+    script.add(
+        "shown(c) = stringcolumn(c) eq 'inf' ? {} : column(c) > 10**({}) ? log10(column(c)) : "
+        "column(c) <= 10**({}) ? {} : NaN\n",
+        outside, panel.y.low, panel.y.low, panel.y.low);
+  else
+    script.add("shown(c) = stringcolumn(c) eq 'inf' ? {} : column(c)\n", outside);
   script.add("plot \\\n  NaN notitle");  // axes, even where there is nothing to draw
   for (const DataSeries& series : panel.series) {
     if (!has_numbers(series)) continue;
@@ -153,9 +160,10 @@ void add_plot(Script& script, const FileName& name, const Panel& panel, int& ind
       script.add("1");
     else
       script.add("($1+({}))", series.aside);
-    script.add("{} ", band   ? Word(":(shown(2)):(shown(3))")
-                      : bars ? Word(":2:(0):(shown(3)-$2)")
-                             : Word(":2"));
+    script.add("{} ", band         ? Word(":(shown(2)):(shown(3))")
+                      : bars       ? Word(":(shown(2)):(0):(shown(3)-shown(2))")
+                      : logarithms ? Word(":(shown(2))")
+                                   : Word(":2"));
     add_style(script, series.kind, series.look, false);
   }
   for (const DataSeries& series : panel.series) {
@@ -272,8 +280,28 @@ Quoted::Quoted(std::string_view plain, Weight weight) {
 
 namespace {
 
-/// With the labels of lines where they are drawn.
+/// Numbers of logarithmic axes in place of their logarithms.
+Panel in_logarithms(Panel panel) {
+  if (panel.y.values != Axis::Values::logarithms) return panel;
+  const double low = std::log10(panel.y.low);
+  const auto to_logarithm = [low](double& y) {
+    if (!std::isnan(y)) y = y > 0.0 ? std::max(low, std::log10(y)) : low;
+  };
+  for (DataSeries& series : panel.series)
+    for (std::vector<double>* values : {&series.y, &series.low, &series.high})
+      std::ranges::for_each(*values, to_logarithm);
+  for (Rule& rule : panel.rules)
+    if (rule.kind == Rule::Kind::horizontal) to_logarithm(rule.at);
+  for (Note& note : panel.notes) to_logarithm(note.y);
+  for (Tick& tick : panel.y.ticks) to_logarithm(tick.at);
+  to_logarithm(panel.y.low);
+  to_logarithm(panel.y.high);
+  return panel;
+}
+
+/// As it is drawn: with the logarithms of logarithmic axes and the labels of lines.
 Figure labelled(Figure figure) {
+  std::ranges::transform(figure.panels, figure.panels.begin(), in_logarithms);
   if (!figure.labels_at_lines) return figure;
   constexpr double line_px = 20.0;  // of the heading; two are usual
   const double heading = static_cast<double>(wrapped(figure.title, title_width).size() +

@@ -24,7 +24,9 @@ std::string value_text(const Axis& axis, double value) {
     }
     case Axis::Values::logarithms:
       return axis.label + (value > axis.low ? " " : " at most ") +
-             format_number(std::pow(10.0, value));
+             format_number(std::max(value, axis.low));
+    case Axis::Values::shares:
+      return axis.label + " " + format_share(value);
     case Axis::Values::numbers:
       break;
   }
@@ -33,7 +35,8 @@ std::string value_text(const Axis& axis, double value) {
 }
 
 bool is_shown(const Axis& axis, double value) {
-  return std::isfinite(value) && value >= axis.low && value <= axis.high;
+  const bool to_low_end = axis.values == Axis::Values::logarithms;
+  return std::isfinite(value) && (value >= axis.low || to_low_end) && value <= axis.high;
 }
 
 const std::string& name_of(const DataSeries& series) {

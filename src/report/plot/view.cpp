@@ -58,16 +58,37 @@ std::string source_of(const Table& table, const std::vector<FileColumn>& columns
 
 }  // namespace
 
+void keep_rows(Table& table, const std::string& stem, const std::function<bool(double)>& is_kept) {
+  const FileColumn column(table, stem);
+  std::erase_if(table.rows, [&](const auto& row) { return !is_kept(column.number(row)); });
+}
+
+void keep_largest(Table& table, const std::vector<std::string>& same, const std::string& stem) {
+  const FileColumn number(table, stem);
+  std::vector<std::vector<Cell>> kept;
+  for (std::vector<Cell>& row : table.rows) {
+    const auto found = std::ranges::find_if(kept, [&](const std::vector<Cell>& other) {
+      return std::ranges::all_of(same, [&](const std::string& column) {
+        const std::size_t place = FileColumn(table, column).place;
+        return are_same(row[place], other[place]);
+      });
+    });
+    if (found == kept.end())
+      kept.push_back(std::move(row));
+    else if (number.number(row) > number.number(*found))
+      *found = std::move(row);
+  }
+  table.rows = std::move(kept);
+}
+
 void add_lines(Panel& panel, const View& view) {
   const FileColumn x(view.table, view.x);
   const Table shown{view.table.name, "", view.table.columns, rows_where(view.table, view.where)};
   std::vector<DataSeries> spreads;
   double aside = -0.5 * view.apart * static_cast<double>(view.lines.size() - 1);
   for (const ViewLine& line : view.lines) {
-    const FileColumn y(shown, line.y);
-    DataSeries series{line.kind, line.look, line.name, line.name},
+    DataSeries series{line.kind, line.look, line.name, line.label.empty() ? line.name : line.label},
         spread{view.spread, line.look, line.name + ": " + view.spread_name};
-    series.source = source_of(shown, {x, y});
     series.aside = spread.aside = aside;
     aside += view.apart;
     const std::vector<std::vector<Cell>> rows = rows_where(shown, line.where);
@@ -76,7 +97,12 @@ void add_lines(Panel& panel, const View& view) {
           view.places, [&](const auto& of) { return are_same(of.first, row[x.place]); });
       return place != view.places.end() ? place->second.at : x.number(row);
     };
-    for (const std::vector<Cell>& row : rows) series.add(x_of(row), y.number(row));
+    if (!line.y.empty()) {
+      const FileColumn y(shown, line.y);
+      series.source = source_of(shown, {x, y});
+      for (const std::vector<Cell>& row : rows) series.add(x_of(row), y.number(row));
+      panel.series.push_back(std::move(series));
+    }
     if (!line.low.empty()) {
       const FileColumn low(shown, line.low), high(shown, line.high);
       spread.source = source_of(shown, {x, low, high});
@@ -84,7 +110,6 @@ void add_lines(Panel& panel, const View& view) {
         spread.add(x_of(row), {low.number(row), high.number(row)});
       spreads.push_back(std::move(spread));
     }
-    panel.series.push_back(std::move(series));
   }
   const auto first_line = std::ranges::find_if(
       panel.series, [](const DataSeries& series) { return series.low.empty(); });

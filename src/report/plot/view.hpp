@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <functional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -12,16 +13,23 @@
 // their 95 % intervals as in files: stem_low95, stem_high95.
 namespace glissade {
 
+/// Leaves the rows whose number in a column is one of these.
+void keep_rows(Table& table, const std::string& stem, const std::function<bool(double)>& is_kept);
+/// Of rows that have the same cells in some columns leaves the one with the largest number in
+/// another.
+void keep_largest(Table& table, const std::vector<std::string>& same, const std::string& stem);
+
 /// Rows with these cells.
 using Where = std::vector<std::pair<std::string, Cell>>;
 
 struct ViewLine {
-  std::string name;  ///< in the key too
+  std::string name;  ///< and in the key
   Look look;
-  std::string y;                    ///< column
+  std::string y;                    ///< column; empty: no line but a spread
   Where where = {};                 ///< of the rows of the view
   std::string low = {}, high = {};  ///< columns of a band or bars; empty: it has none
   DataSeries::Kind kind = DataSeries::Kind::line_and_points;
+  std::string label = {};  ///< in the key, in place of the name
 };
 
 struct View {

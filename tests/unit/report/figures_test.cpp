@@ -86,10 +86,10 @@ TEST(figures, say_what_each_point_is) {
 // name of the nearest tick; a line says its name.
 TEST(figures, say_what_each_point_of_several_panels_is) {
   const auto with_points = DataSeries::Kind::line_and_points;
-  Panel rates{"first", {"S_DS (g)", 0.0, 2.0}, {"Rate", -4.0, 0.0, {{-3.0, "1e-3"}}}};
+  Panel rates{"first", {"S_DS (g)", 0.0, 2.0}, {"Rate", 1e-4, 1.0, {{1e-3, "1e-3"}}}};
   rates.y.values = Axis::Values::logarithms;
-  rates.series = {{with_points, look(Role::median), "roof 1", "", {1.0}, {std::log10(0.00105)}},
-                  {with_points, look(Role::mean), "roof 2", "", {1.0}, {-4.0}}};
+  rates.series = {{with_points, look(Role::median), "roof 1", "", {1.0}, {0.00105}},
+                  {with_points, look(Role::mean), "roof 2", "", {1.0}, {1e-6}}};
   Panel kinds{"second", {"Vertical", -0.5, 1.5, {{0.0, "none"}, {1.0, "0.1 s"}}}, {"", -0.5, 0.5}};
   kinds.x.values = kinds.y.values = Axis::Values::names;
   kinds.y.ticks = {{0.0, "PGA"}};

@@ -110,7 +110,7 @@ TEST(hazard_report, draws_decades_of_rates_above_zero_only) {
   for (HazardRun& run : r.hazard->runs) run.targets.back().annual_rate = 0.0;  // log10: -inf
   const Axis axis = figure_named(make_figures(r), "hazard").panels.at(0).y;
   EXPECT_TRUE(std::isfinite(axis.low));
-  EXPECT_EQ(axis.ticks.size(), axis.high - axis.low + 1.0);
+  EXPECT_EQ(axis.ticks.size(), std::round(std::log10(axis.high / axis.low)) + 1.0);
   for (HazardRun& run : r.hazard->runs) run.curve.clear();
   EXPECT_EQ(figure_named(make_figures(r), "hazard").panels.at(0).y.ticks.size(), 2u);
 }
@@ -190,6 +190,7 @@ TEST(hazard_report, figure_has_a_line_for_each_run_and_decades_as_ticks) {
   double last_m = 0.0;
   for (const DataSeries& line : curves_of(figure)) last_m = std::max(last_m, line.x.back());
   EXPECT_THAT(figure.caption, states(format_length(last_m)));
+  EXPECT_THAT(figures_of_tables(make_figures(r), csv_tables(r)), Contains("hazard"));
 }
 
 }  // namespace

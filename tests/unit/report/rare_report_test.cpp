@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "facts.hpp"
+#include "figure_facts.hpp"
 #include "glissade/report/figures.hpp"
 #include "glissade/report/html.hpp"
 #include "glissade/report/summary.hpp"
@@ -40,7 +41,8 @@ TEST(rare_report, draws_a_line_for_each_threshold) {
   const Panel& panel = figure->panels.front();
   ASSERT_EQ(panel.series.size(), 3u);  // band, bars, line
   EXPECT_EQ(panel.series[2].x.size(), 2u);
-  EXPECT_NEAR(panel.series[2].y[0], -4.699, 1e-3);
+  EXPECT_NEAR(panel.series[2].y[0], 2e-5, 1e-8);
+  EXPECT_THAT(figures_of_tables(figures, csv_tables(made_up())), testing::ElementsAre("rare"));
   EXPECT_EQ(panel.y.values, Axis::Values::logarithms);  // the titles of the points are of 2e-5
 }
 

@@ -5,6 +5,7 @@
 
 #include "analysis/verdict/kinds.hpp"
 #include "facts.hpp"
+#include "figure_facts.hpp"
 #include "glissade/report/figures.hpp"
 #include "glissade/report/html.hpp"
 #include "glissade/report/summary.hpp"
@@ -128,7 +129,7 @@ TEST(verdict_report, of_arrays_that_differ_in_more_names_them_and_draws_the_larg
   const Figure figure = verdict_figure(r);
   const DataSeries& line = figure.panels.at(0).series.at(3);  // friction 0.5, behind the bars
   ASSERT_EQ(line.x.size(), 3u);
-  EXPECT_NEAR(line.y.back(), 1.0, 1e-12);  // the logarithm of 10
+  EXPECT_NEAR(line.y.back(), 10.0, 1e-12);
   EXPECT_EQ(figure.panels[0].y.values, Axis::Values::logarithms);
 }
 
@@ -153,11 +154,11 @@ TEST(verdict_report, draws_intervals_and_what_the_other_standard_prescribes) {
   }
   r.verdict->rows.insert(r.verdict->rows.begin(), others.begin(), others.end());
   const Panel panel = verdict_figure(r).panels.at(0);
-  EXPECT_NEAR(panel.series.at(0).y.at(0), -1.0, 1e-12);
+  EXPECT_NEAR(panel.series.at(0).y.at(0), 0.1, 1e-12);
   const DataSeries& bars = panel.series.at(1);
   EXPECT_EQ(bars.kind, DataSeries::Kind::bars);
-  EXPECT_NEAR(bars.low.at(0), 0.0, 1e-12);
-  EXPECT_NEAR(bars.high.at(0), 1.0, 1e-12);
+  EXPECT_NEAR(bars.low.at(0), 1.0, 1e-12);
+  EXPECT_NEAR(bars.high.at(0), 10.0, 1e-12);
 }
 
 TEST(verdict_report, draws_how_probably_two_arrays_meet_where_they_have_neighbours) {
@@ -169,10 +170,11 @@ TEST(verdict_report, draws_how_probably_two_arrays_meet_where_they_have_neighbou
   };
   EXPECT_THAT(figures(), Contains("verdict_separations"));
   const Figure figure = verdict_separations_figure(r);
-  const DataSeries& line = figure.panels.at(0).series.at(1);  // friction 0.3, behind the bars
-  EXPECT_EQ(line.y, (std::vector{0.0, 12.5, 37.5}));
-  EXPECT_EQ(figure.panels[0].series[0].high.at(2), 50.0);
-  EXPECT_EQ(figure.panels[0].rules.at(0).at, 10.0);
+  EXPECT_EQ(series_named(figure, "friction 0.3").y, (std::vector{0.0, 0.125, 0.375}));
+  EXPECT_EQ(figure.panels[0].series[0].high.at(2), 0.5);
+  EXPECT_EQ(figure.panels[0].rules.at(0).at, 0.1);
+  EXPECT_THAT(figures_of_tables(make_figures(r), csv_tables(r)),
+              testing::IsSupersetOf({"verdict", "verdict_separations"}));
   std::erase_if(r.verdict->separations, [](const auto& s) { return s.factor < 1.0; });
   EXPECT_THAT(figures(), Not(Contains("verdict_separations")));
 }

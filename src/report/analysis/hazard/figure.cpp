@@ -7,6 +7,7 @@
 
 #include "analysis/hazard/hazard.hpp"
 #include "glissade/report/format.hpp"
+#include "plot/view.hpp"
 #include "text/study_text.hpp"
 
 namespace glissade {
@@ -16,9 +17,6 @@ constexpr std::size_t most_lines = 4;
 
 /// To the right of the curves stand the target rates.
 constexpr double room_for_rates = 1.3;
-
-/// Rates on an axis of their logarithms.
-double height(double annual_rate) { return std::log10(annual_rate); }
 
 /// Where the figure ends: beyond the displacements of all target rates, and what is asked for.
 double right_end_m(const Results& results) {
@@ -32,21 +30,6 @@ double right_end_m(const Results& results) {
   return 1.15 * right;
 }
 
-void add_run(Panel& panel, const HazardRun& run, const std::string& name, Look look, bool shaded) {
-  DataSeries band{DataSeries::Kind::band, look, run.label + ": 95 % interval"};
-  DataSeries line{DataSeries::Kind::line, look, name, name};
-  for (const DisplacementRate& row : run.curve) {
-    const auto& [rate, interval] = row.annual_rate;
-    if (!std::isfinite(rate) || row.below_share > 0.0 ||
-        row.displacement_m > panel.x.high / room_for_rates)
-      continue;
-    line.add(row.displacement_m, height(rate));
-    band.add(row.displacement_m, {height(interval.low), height(interval.high)});
-  }
-  if (shaded) panel.series.insert(panel.series.begin(), std::move(band));
-  panel.series.push_back(std::move(line));
-}
-
 /// The last displacement that is drawn.
 double last_m(const Panel& panel) {
   double last = 0.0;
@@ -57,16 +40,16 @@ double last_m(const Panel& panel) {
 /// Decades that hold the curves and the rarest target rate.
 Axis rate_axis(const Panel& panel, const HazardResults& hazard) {
   const std::vector<TargetDisplacement>& targets = hazard.runs.front().targets;
-  std::vector<double> heights{
-      height(targets.empty() ? hazard.beyond_rate : targets.back().annual_rate)};
+  std::vector<double> rates{targets.empty() ? hazard.beyond_rate : targets.back().annual_rate};
   for (const DataSeries& series : panel.series)
     for (const std::vector<double>* values : {&series.y, &series.low, &series.high})
-      heights.insert(heights.end(), values->begin(), values->end());
-  std::erase_if(heights, [](double y) { return !std::isfinite(y); });
-  if (heights.empty()) heights = {0.0};  // no rate above zero
-  const auto [low, high] = std::ranges::minmax(heights);
-  return log_axis("Annual rate of exceedance", std::floor(low),
-                  std::max(std::ceil(high), std::floor(low) + 1.0),
+      rates.insert(rates.end(), values->begin(), values->end());
+  std::erase_if(rates, [](double rate) { return !(rate > 0.0 && std::isfinite(rate)); });
+  if (rates.empty()) rates = {1.0};
+  const auto [low, high] = std::ranges::minmax(rates);
+  const double decade = std::floor(std::log10(low));
+  return log_axis("Annual rate of exceedance", std::pow(10.0, decade),
+                  std::pow(10.0, std::max(std::ceil(std::log10(high)), decade + 1.0)),
                   [](double rate) { return fmt::format("1e{:g}", std::round(std::log10(rate))); });
 }
 
@@ -74,12 +57,23 @@ Axis rate_axis(const Panel& panel, const HazardResults& hazard) {
 
 Figure hazard_figure(const Results& results) {
   const HazardResults& hazard = *results.hazard;
-  const std::size_t lines = std::min(hazard.runs.size(), most_lines);
+  View view{hazard_curve_table(results), "displacement", {}, {{"below_share", 0.0}}};
+  keep_rows(view.table, "displacement",
+            [end_m = right_end_m(results)](double at_m) { return at_m <= end_m; });
+  for (std::size_t i = 0; i < std::min(hazard.runs.size(), most_lines); ++i)
+    view.lines.push_back({run_name(results, results.runs[i]),
+                          distinct_look(i),
+                          "annual_rate",
+                          {{"run", hazard.runs[i].label}},
+                          "",
+                          "",
+                          DataSeries::Kind::line});
+  ViewLine& first = view.lines.front();
+  first.label = first.name + " (shaded: 95 % interval)";
+  first.low = "annual_rate_low95";
+  first.high = "annual_rate_high95";
   Panel panel{"", length_axis("Displacement in plan", room_for_rates * right_end_m(results))};
-  for (std::size_t i = 0; i < lines; ++i)
-    add_run(panel, hazard.runs[i],
-            run_name(results, results.runs[i]) + (i == 0 ? " (shaded: 95 % interval)" : ""),
-            distinct_look(i), i == 0);
+  add_lines(panel, view);
   panel.y = rate_axis(panel, hazard);
   Figure figure{
       "hazard", "Annual rate of exceeding a displacement",
@@ -92,10 +86,9 @@ Figure hazard_figure(const Results& results) {
                   format_length(last_m(panel)), at_intensity(results, results.levels.back()),
                   hazard.beyond_rate)};
   for (const TargetDisplacement& row : hazard.runs.front().targets) {
-    const double y = height(row.annual_rate);
-    if (y < panel.y.low || y > panel.y.high) continue;
-    panel.rules.push_back({Rule::Kind::horizontal, y, look(Role::reference), ""});
-    panel.notes.push_back({panel.x.high, y, rate_text(row.annual_rate),
+    if (row.annual_rate < panel.y.low || row.annual_rate > panel.y.high) continue;
+    panel.rules.push_back({Rule::Kind::horizontal, row.annual_rate, look(Role::reference), ""});
+    panel.notes.push_back({panel.x.high, row.annual_rate, rate_text(row.annual_rate),
                            look(Role::reference).colour, Note::Align::right});
   }
   figure.panels = {std::move(panel)};
@@ -113,13 +106,13 @@ Figure life_figure(const Results& results) {
   for (const LifeQuantile& row : hazard.runs[shown].life_distribution)
     if (std::isfinite(row.displacement_m)) right_m = std::max(right_m, row.displacement_m);
   Panel panel{"", length_axis("Displacement in plan", room_for_rates * right_m)};
-  panel.y = log_axis("Share of the design lives that exceed it", height(least_share), 0.0,
+  panel.y = log_axis("Share of the design lives that exceed it", least_share, 1.0,
                      [](double share) { return fmt::format("{:g} %", 100.0 * share); });
   for (std::size_t i = 0; i < names.size(); ++i) {
     DataSeries line{DataSeries::Kind::line, distinct_look(i), names[i].second, names[i].second};
     for (const LifeQuantile& row : hazard.runs[shown].life_distribution) {
       if (row.quantity != names[i].first || !std::isfinite(row.displacement_m)) continue;
-      line.add(row.displacement_m, height(1.0 - row.probability));
+      line.add(row.displacement_m, 1.0 - row.probability);
     }
     panel.series.push_back(std::move(line));
   }

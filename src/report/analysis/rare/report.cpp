@@ -3,11 +3,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "analysis/analyses.hpp"
 #include "glissade/report/format.hpp"
 #include "glissade/sampling/importance.hpp"
 #include "page/page.hpp"
+#include "plot/view.hpp"
 #include "text/study_text.hpp"
 
 namespace glissade {
@@ -114,35 +116,28 @@ Figure rare_figure(const Results& results) {
                 "wider distributions, with weights."};
   Panel panel{"",
               {results.intensity_label, 0.0, 1.05 * results.levels.back()},
-              log_axis("Probability", std::log10(least), 0.0,
+              log_axis("Probability", least, 1.0,
                        [](double probability) { return fmt::format("{:g}", probability); })};
-  std::vector<double> thresholds;
-  for (const RareRow& row : rare.rows) {
-    if (row.first_case == rare.rows.front().first_case &&
-        (thresholds.empty() || thresholds.back() != row.threshold_m))
-      thresholds.push_back(row.threshold_m);
+  View records{rare_table(results), "level", {}, {{"condition", rare.rows.front().condition}}};
+  records.spread_name = "95 % over records";
+  keep_rows(records.table, "probability", [](double probability) { return probability >= least; });
+  View samples = records;
+  samples.spread = DataSeries::Kind::bars;
+  samples.spread_name = "95 % of the samples";
+  std::set<double> thresholds;
+  for (const RareRow& row : rare.rows)
+    if (row.condition == rare.rows.front().condition) thresholds.insert(row.threshold_m);
+  for (const double threshold_m : thresholds) {
+    Look one = distinct_look(records.lines.size());
+    one.symbol = 7;
+    const Where where{{"threshold", threshold_m}};
+    records.lines.push_back({format_length(threshold_m), one, "probability", where,
+                             "probability_low95", "probability_high95"});
+    samples.lines.push_back({format_length(threshold_m), one, "", where,
+                             "sampled_probability_low95", "sampled_probability_high95"});
   }
-  const auto height = [](double p) { return std::log10(std::clamp(p, least, 1.0)); };
-  const auto heights = [&](const Interval& p) { return Interval{height(p.low), height(p.high)}; };
-  for (std::size_t t = 0; t < thresholds.size(); ++t) {
-    Look line_look = distinct_look(t);
-    line_look.symbol = 7;
-    const std::string name = format_length(thresholds[t]);
-    DataSeries band{DataSeries::Kind::band, line_look, name + " records"},
-        bars{DataSeries::Kind::bars, line_look, name + " samples"},
-        line{DataSeries::Kind::line_and_points, line_look, name, name};
-    for (const RareRow& row : rare.rows) {
-      if (row.first_case != rare.rows.front().first_case || row.threshold_m != thresholds[t] ||
-          row.probability < least)
-        continue;
-      line.add(row.level, height(row.probability));
-      bars.add(row.level, heights(row.sampling_interval));
-      band.add(row.level, heights(row.record_interval));
-    }
-    panel.series.insert(panel.series.begin(), std::move(band));
-    panel.series.push_back(std::move(bars));
-    panel.series.push_back(std::move(line));
-  }
+  add_lines(panel, records);
+  add_lines(panel, samples);
   figure.panels.push_back(std::move(panel));
   figure.labels_at_lines = true;
   return figure;

@@ -7,6 +7,7 @@
 
 #include "analysis/sensitivity/sensitivity.hpp"
 #include "glissade/report/format.hpp"
+#include "plot/view.hpp"
 #include "text/study_text.hpp"
 
 namespace glissade {
@@ -116,26 +117,27 @@ Figure spread_over_intensity_figure(const Results& results) {
                 : "The share of the variance that remains if all other quantities are known, "
                   "including interactions (total Sobol index; these add to more than 100 %)",
           100.0 * least, 100.0 * most)};
-  Panel panel{
-      "",
-      {results.intensity_label, 0.0, 0.0},
-      {given ? "Share alone (% of the variance)" : "Share with interactions (% of the variance)",
-       0.0, 105.0}};
-  panel.x.low = results.levels.back();
+  View view{exceedance_spread_table(results),
+            "level",
+            {},
+            {{"condition", shown.condition}, {"threshold", shown.threshold_m}}};
+  keep_rows(view.table, "probability", [](double p) { return p >= least && p <= most; });
   const std::vector<std::size_t> factors = by_size(found, *rows.front());
-  for (std::size_t i = 0; i < factors.size(); ++i) {
-    const std::string& name = found.factors[factors[i]];
-    DataSeries line{DataSeries::Kind::line_and_points, family_look(i, factors.size()), name, name};
-    for (const SpreadRow& row : found.rows) {
-      if (row.is_capacity() || row.first_case != shown.first_case ||
-          row.threshold_m != shown.threshold_m || row.mean < least || row.mean > most)
-        continue;
-      line.add(row.level, percent(shown_indices(found, row)[factors[i]]));
-      panel.x.low = std::min(panel.x.low, 0.97 * row.level);
-      panel.x.high = std::max(panel.x.high, 1.03 * row.level);
+  for (const std::size_t factor : factors)
+    view.lines.push_back({found.factors[factor],
+                          family_look(view.lines.size(), factors.size()),
+                          given ? "first" : "total",
+                          {{"factor", found.factors[factor]}}});
+  Panel panel = panel_of(view, results.intensity_label);
+  panel.x.low *= 0.97;
+  panel.x.high *= 1.03;
+  panel.y = share_axis(given ? "Share of the variance, alone"
+                             : "Share of the variance, with interactions");
+  for (const DataSeries& line : panel.series)
+    for (const double share : line.y) {
+      panel.y.low = std::fmin(panel.y.low, share);
+      panel.y.high = std::fmax(panel.y.high, 1.05 * share);
     }
-    panel.series.push_back(std::move(line));
-  }
   figure.panels.push_back(std::move(panel));
   figure.key_columns = 2;
   return figure;

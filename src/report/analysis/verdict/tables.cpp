@@ -107,18 +107,22 @@ std::vector<Column> row_columns(std::initializer_list<Column> others) {
       text_column("standard", "Standard", "standard"),
       text_column("conditions", "Conditions",
                   "whether slope and friction meet the conditions of the standard"),
-      {"sds", "g", "S_DS, g", ColumnKind::number, "design spectral acceleration S_DS"}};
+      {"sds", "g", "S_DS, g", ColumnKind::number, "design spectral acceleration S_DS"},
+      {"response_modification", "", "R", ColumnKind::number,
+       "R of the building; 0: it stays elastic", false, -1, true}};
   columns.insert(columns.end(), others);
   return columns;
 }
 
-std::vector<Cell> row_cells(const VerdictRow& row, std::initializer_list<Cell> others) {
+std::vector<Cell> row_cells(const Results& results, const VerdictRow& row,
+                            std::initializer_list<Cell> others) {
   std::vector<Cell> cells{row.condition,
                           row.mu,
                           row.slope_deg,
                           standard_name(row.standard),
                           std::string(conditions_text(row)),
-                          row.sds_g};
+                          row.sds_g,
+                          response_modification(results, row)};
   cells.insert(cells.end(), others);
   return cells;
 }
@@ -151,20 +155,25 @@ Table verdict_table(const Results& results) {
     table.columns.push_back({fmt::format("displacement_{:g}_percent", 100.0 * p), "m",
                              percent(p) + " exceed, m (in) [95 %]", ColumnKind::length,
                              "displacement that is exceeded at S_DS with " + percent(p), true});
-  table.columns.push_back({"ratio", "", percent(verdict.exceedance.front()) + " over prescribed",
-                           ColumnKind::number,
-                           "displacement exceeded with the accepted probability over prescribed"});
+  table.columns.push_back(
+      {"ratio", "", percent(verdict.exceedance.front()) + " over prescribed [95 %]",
+       ColumnKind::number, "displacement exceeded with the accepted probability over prescribed",
+       true});
   table.columns.push_back(text_column("judgement", "Judgement", "judgement at S_DS"));
   table.columns.push_back(
       text_column("certain", "Interval on one side of " + percent(verdict.exceedance.front()),
                   "whether the interval lies on one side of the accepted probability"));
   for (const VerdictRow& row : verdict.rows) {
     std::vector<Cell> cells =
-        row_cells(row, {row.prescribed.value_m, std::string(provision_text({&row, 1})),
-                        estimate(row.dbe), row.dbe.period_s, estimate(row.mce), row.mce.period_s});
+        row_cells(results, row,
+                  {row.prescribed.value_m, std::string(provision_text({&row, 1})),
+                   estimate(row.dbe), row.dbe.period_s, estimate(row.mce), row.mce.period_s});
     for (std::size_t i = 0; i < row.displacement_m.size(); ++i)
       cells.emplace_back(Estimate{row.displacement_m[i], row.displacement_interval[i]});
-    cells.emplace_back(row.displacement_m.front() / row.prescribed.value_m);
+    const double prescribed_m = row.prescribed.value_m;
+    const auto [low_m, high_m] = row.displacement_interval.front();
+    cells.emplace_back(Estimate{row.displacement_m.front() / prescribed_m,
+                                {low_m / prescribed_m, high_m / prescribed_m}});
     cells.emplace_back(judgement_text(judgement(verdict, row)));
     cells.emplace_back(std::string(is_certain(verdict, row) ? "yes" : "no"));
     table.add(std::move(cells));
@@ -252,8 +261,9 @@ Table verdict_separations_table(const Results& results) {
       {}};
   for (const VerdictSeparation& s : verdict.separations) {
     const VerdictRow& row = verdict.rows[s.row];
-    table.add(row_cells(row, {s.what, s.factor, s.value_m, estimate(s.dbe), s.dbe.period_s,
-                              estimate(s.mce), s.mce.period_s}));
+    table.add(row_cells(results, row,
+                        {s.what, s.factor, s.value_m, estimate(s.dbe), s.dbe.period_s,
+                         estimate(s.mce), s.mce.period_s}));
   }
   return table;
 }
