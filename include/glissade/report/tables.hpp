@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "glissade/report/table.hpp"
@@ -19,7 +20,7 @@ Table combinations_table(const Results& results);
 /// Per run and threshold: is the fit on capacities one that the capacities can come from.
 Table goodness_of_fit_table(const Results& results);
 /// Per run and threshold: the fit on capacities by intensity, with its band.
-Table fragility_band_table(const Results& results);
+Table fragility_band_table(const Results& results, std::span<const RunResults> runs);
 /// Per run and threshold: the records that recross.
 Table recrossing_table(const Results& results);
 /// The fit to use per run and threshold, for reading: one row each.
@@ -29,7 +30,7 @@ Table slip_table(const Results& results);
 /// Prescribed values beside what came out, per run, standard and S_DS. Empty without standards.
 Table standards_table(const Results& results);
 /// Counts of exceedances per run, threshold and level: what the stripes fit rests on.
-Table stripes_table(const Results& results);
+Table stripes_table(const Results& results, std::span<const RunResults> runs);
 /// Probabilities of exceedance at the levels that are the DBE or the MCE, per run and threshold:
 /// the shares of the histories. Without columns of levels where the study has neither.
 Table earthquakes_table(const Results& results);

@@ -39,11 +39,18 @@ bool are_same(const Cell& a, const Cell& b) {
   return x == y || (std::isnan(x) && std::isnan(y));
 }
 
-std::vector<std::vector<Cell>> rows_where(const Table& table, const Where& where) {
-  std::vector<std::vector<Cell>> rows = table.rows;
+using Rows = std::vector<const std::vector<Cell>*>;
+
+Rows all_rows(const Table& table) {
+  Rows rows;
+  for (const std::vector<Cell>& row : table.rows) rows.push_back(&row);
+  return rows;
+}
+
+Rows rows_where(const Table& table, Rows rows, const Where& where) {
   for (const auto& [stem, cell] : where)
-    std::erase_if(rows, [place = FileColumn(table, stem).place, &cell](const auto& row) {
-      return !are_same(row[place], cell);
+    std::erase_if(rows, [place = FileColumn(table, stem).place, &cell](const auto* row) {
+      return !are_same((*row)[place], cell);
     });
   return rows;
 }
@@ -82,34 +89,40 @@ void keep_largest(Table& table, const std::vector<std::string>& same, const std:
 }
 
 void add_lines(Panel& panel, const View& view) {
-  const FileColumn x(view.table, view.x);
-  const Table shown{view.table.name, "", view.table.columns, rows_where(view.table, view.where)};
+  const Table& table = view.table;
+  const FileColumn x(table, view.x);
+  const auto x_of = [&](const std::vector<Cell>& row) {
+    const auto place = std::ranges::find_if(
+        view.places, [&](const auto& of) { return are_same(of.first, row[x.place]); });
+    return place != view.places.end() ? place->second.at : x.number(row);
+  };
+  const Rows shown = rows_where(table, all_rows(table), view.where);
   std::vector<DataSeries> spreads;
   double aside = -0.5 * view.apart * static_cast<double>(view.lines.size() - 1);
   for (const ViewLine& line : view.lines) {
-    DataSeries series{line.kind, line.look, line.name, line.label.empty() ? line.name : line.label},
-        spread{view.spread, line.look, line.name + ": " + view.spread_name};
-    series.aside = spread.aside = aside;
-    aside += view.apart;
-    const std::vector<std::vector<Cell>> rows = rows_where(shown, line.where);
-    const auto x_of = [&](const std::vector<Cell>& row) {
-      const auto place = std::ranges::find_if(
-          view.places, [&](const auto& of) { return are_same(of.first, row[x.place]); });
-      return place != view.places.end() ? place->second.at : x.number(row);
+    const Rows rows = rows_where(table, shown, line.where);
+    const auto add_to = [&](std::vector<DataSeries>& all, DataSeries series,
+                            const std::vector<FileColumn>& y) {
+      std::vector<FileColumn> columns{x};
+      columns.insert(columns.end(), y.begin(), y.end());
+      series.source = source_of(table, columns);
+      series.aside = aside;
+      for (const std::vector<Cell>* row : rows) {
+        if (y.size() == 1)
+          series.add(x_of(*row), y[0].number(*row));
+        else
+          series.add(x_of(*row), Interval{y[0].number(*row), y[1].number(*row)});
+      }
+      all.push_back(std::move(series));
     };
-    if (!line.y.empty()) {
-      const FileColumn y(shown, line.y);
-      series.source = source_of(shown, {x, y});
-      for (const std::vector<Cell>& row : rows) series.add(x_of(row), y.number(row));
-      panel.series.push_back(std::move(series));
-    }
-    if (!line.low.empty()) {
-      const FileColumn low(shown, line.low), high(shown, line.high);
-      spread.source = source_of(shown, {x, low, high});
-      for (const std::vector<Cell>& row : rows)
-        spread.add(x_of(row), {low.number(row), high.number(row)});
-      spreads.push_back(std::move(spread));
-    }
+    const std::string label = line.label.empty() ? line.name : line.label;
+    if (!line.y.empty())
+      add_to(panel.series, {line.kind, line.look, line.name, view.in_key ? label : ""},
+             {FileColumn(table, line.y)});
+    if (!line.low.empty())
+      add_to(spreads, {view.spread, line.look, line.name + ": " + view.spread_name},
+             {FileColumn(table, line.low), FileColumn(table, line.high)});
+    aside += view.apart;
   }
   const auto first_line = std::ranges::find_if(
       panel.series, [](const DataSeries& series) { return series.low.empty(); });

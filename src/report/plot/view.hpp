@@ -40,6 +40,7 @@ struct View {
   std::vector<std::pair<Cell, Tick>> places = {};    ///< on the x axis, of texts or named numbers
   DataSeries::Kind spread = DataSeries::Kind::band;  ///< or bars
   std::string spread_name = "95 % interval";
+  bool in_key = true;  ///< the names of the lines
   double apart = 0.0;  ///< from line to line along x, so that bars do not hide each other
 };
 

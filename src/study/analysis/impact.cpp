@@ -73,6 +73,7 @@ ImpactStatistics statistics_of(const Happened& happened, std::size_t samples,
   const std::size_t histories = happened.time_s.size() * samples;
   ImpactStatistics s;
   s.reached_share.value = static_cast<double>(speeds.size()) / static_cast<double>(histories);
+  s.speed_p16_mps = quantile_of_sorted(speeds, 0.16);
   s.speed_median_mps.value = quantile_of_sorted(speeds, 0.5);
   s.speed_p84_mps.value = quantile_of_sorted(speeds, 0.84);
   s.speed_p95_mps = quantile_of_sorted(speeds, 0.95);

@@ -61,7 +61,7 @@ TEST(figures, draw_without_the_fits_that_failed) {
     return "slip above " + format_length(results.thresholds_m[t]) + part;
   };
   EXPECT_EQ(numbers_in(series_named(figure, of_clearance(0, ", lognormal"))), 0u);
-  EXPECT_EQ(numbers_in(series_named(figure, of_clearance(0, ", 95 % interval"))), 0u);
+  EXPECT_EQ(numbers_in(series_named(figure, of_clearance(0, ", lognormal: 95 % interval"))), 0u);
   EXPECT_GT(numbers_in(series_named(figure, of_clearance(0, ", observed"))), 0u);
   EXPECT_GT(numbers_in(series_named(figure, of_clearance(1, ", lognormal"))), 0u);
   EXPECT_NO_THROW(render_figure(figure, fresh_folder("failed_fit")));
@@ -269,8 +269,8 @@ TEST(figures, of_the_fragility_hold_the_shares_and_the_fitted_curve) {
                    curve = series_named(figure, name + ", lognormal");
   EXPECT_EQ(observed.x, results.levels);
   EXPECT_EQ(observed.y, run.fragilities[1].probability);
-  ASSERT_EQ(curve.x.size(), 201u);
-  EXPECT_EQ(curve.y[100], run.fragilities[1].capacities.curve.probability(curve.x[100]));
+  ASSERT_EQ(curve.x, run.band_intensities);
+  EXPECT_EQ(curve.y[20], run.fragilities[1].capacities.curve.probability(curve.x[20]));
   EXPECT_EQ(key_of(figure).size(), 1u);  // clearances are named at their curves
   for (const ThresholdFragility& fragility : run.fragilities)
     EXPECT_THAT(figure.caption, states(format_length(fragility.threshold_m)));
@@ -284,6 +284,8 @@ TEST(figures, of_a_table_have_the_numbers_of_its_file) {
               testing::ElementsAre("chart_friction", "chart_slope", "chart_intensity",
                                    "chart_slope_levels", "chart_period"));
   EXPECT_EQ(of_tables(made_up_one_record_chart()).size(), 4u);
+  EXPECT_THAT(of_tables(made_up_impact_results()),
+              testing::ElementsAre("fragility", "fragility_design", "slip_vs_sds", "impact"));
 }
 
 TEST(figures, are_drawn_whatever_their_numbers_are) {

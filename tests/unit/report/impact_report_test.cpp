@@ -39,7 +39,7 @@ TEST(impact_report, writes_table_figure_and_section) {
   EXPECT_THAT(html, states("id=\"figure_impact\"", "tables/impact.csv"));
   EXPECT_THAT(read_text_file(folder / "tables" / "impact.csv"),
               states("\nrun,threshold_m,level_g,reached_share,reached_share_low95,"
-                     "reached_share_high95,median_speed_mps,median_speed_low95_mps,"
+                     "reached_share_high95,p16_speed_mps,median_speed_mps,median_speed_low95_mps,"
                      "median_speed_high95_mps,p84_speed_mps,",
                      "median_energy_Jpkg,p84_energy_Jpkg,p16_time_s,median_time_s,p84_time_s\n"));
 }
@@ -50,8 +50,8 @@ TEST(impact_report, has_a_row_for_each_run_threshold_and_level_with_energy_v2_ov
   results.runs[0].impact[5].speed_p84_mps.value = 4.0;
   const Table table = impact_table(results);
   ASSERT_EQ(table.rows.size(), 2u * 4u * 20u);
-  EXPECT_EQ(std::get<double>(table.rows[5][8]), 4.5);  // J/kg
-  EXPECT_EQ(std::get<double>(table.rows[5][9]), 8.0);
+  EXPECT_EQ(std::get<double>(table.rows[5][9]), 4.5);  // J/kg
+  EXPECT_EQ(std::get<double>(table.rows[5][10]), 8.0);
 }
 
 TEST(impact_report, answers_at_the_level_nearest_1_g_with_the_share_that_gets_there) {
@@ -71,12 +71,15 @@ TEST(impact_report, answers_at_the_level_nearest_1_g_with_the_share_that_gets_th
 // 1.2 m is reached by few: where fewer than three records reach it the figure shows no point.
 TEST(impact_report, draws_only_what_enough_records_reach) {
   Results results = made_up_impact_results();
-  const RunResults& run = results.runs[0];
+  RunResults& run = results.runs[0];
   auto& speed_mps = results.histories.fields.crossing_speed_mps;
+  auto& time_s = results.histories.fields.crossing_time_s;
   const std::size_t of_record = speed_mps.size() / results.records.size();
   const auto forget_all_but = [&](std::size_t records) {
     for (std::size_t i = records * of_record; i < speed_mps.size(); ++i)
-      speed_mps[i] = std::nan("");
+      speed_mps[i] = time_s[i] = std::nan("");
+    run.impact = impact_statistics(results.histories, slice_of(run), results.levels,
+                                   results.thresholds_m, {});
   };
   EXPECT_THAT(key_of(impact_figure(results, run)), testing::Contains(states("= 2.00 g")));
   forget_all_but(3);

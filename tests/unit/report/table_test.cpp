@@ -190,7 +190,7 @@ TEST(stripes_table, counts_what_the_histories_show) {
     for (std::size_t c = run.first_case; c < run.first_case + run.cases; ++c)
       above += histories.displacement_m(i, c, last) >= results.thresholds_m[0] ? 1 : 0;
   }
-  const Table table = stripes_table(results);
+  const Table table = stripes_table(results, results.runs);
   const std::vector<Cell>& row = table.rows[last];
   EXPECT_EQ(std::get<double>(row[3]), static_cast<double>(histories.records * run.cases));
   EXPECT_EQ(std::get<double>(row[4]), above);

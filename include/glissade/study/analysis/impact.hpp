@@ -19,7 +19,7 @@ struct ImpactStatistics {
   double level = 0.0, threshold_m = 0.0;
   Estimate reached_share;  ///< of all histories at the level; bootstrap over records, as all here
   Estimate speed_median_mps, speed_p84_mps;
-  double speed_p95_mps = 0.0, speed_largest_mps = 0.0;
+  double speed_p16_mps = 0.0, speed_p95_mps = 0.0, speed_largest_mps = 0.0;
   double time_median_s = 0.0, time_p16_s = 0.0, time_p84_s = 0.0;  ///< from the record's begin
 };
 

@@ -10,6 +10,8 @@
 #include "glissade/core/in_parallel.hpp"
 #include "glissade/core/quantile.hpp"
 #include "glissade/report/format.hpp"
+#include "glissade/report/tables.hpp"
+#include "plot/view.hpp"
 #include "text/study_text.hpp"
 
 namespace glissade {
@@ -67,32 +69,30 @@ std::string threshold_text(const Results& results, const ThresholdFragility& fra
          (departs_from_lognormal(fragility.lognormal) ? ", not lognormal" : "");
 }
 
-/// Band, curve and observed shares of one clearance, with a key entry where it has no label.
-void add_threshold(Panel& panel, const Results& results, const RunResults& run, std::size_t t) {
-  const ThresholdFragility& fragility = run.fragilities[t];
-  const Look colour = family_look(t, run.fragilities.size());
-  const std::string name = "slip above " + format_length(fragility.threshold_m);
-  DataSeries observed{DataSeries::Kind::points, colour, name + ", observed"};
-  observed.x = results.levels;
-  observed.y = fragility.probability;
-  observed.x.resize(observed.y.size());
-  DataSeries curve{DataSeries::Kind::line, colour, name + ", lognormal"};
-  DataSeries band{DataSeries::Kind::band, colour, name + ", 95 % interval"};
-  if (has_curve(fragility)) {
-    constexpr int points = 200;
-    for (int i = 0; i <= points; ++i) {
-      const double intensity = results.levels.back() * i / points;
-      curve.add(intensity, fragility.capacities.curve.probability(intensity));
-    }
-    for (std::size_t i = 0; i < fragility.band.size(); ++i)
-      band.add(run.band_intensities.at(i), fragility.band[i]);
+/// Bands, curves and observed shares, with a key entry where a clearance has no label.
+void add_thresholds(Panel& panel, const Results& results, const RunResults& run) {
+  View curves{fragility_band_table(results, {&run, 1}), "intensity", {}},
+      observed{stripes_table(results, {&run, 1}), "level", {}};
+  curves.in_key = observed.in_key = false;
+  std::vector<DataSeries> key;
+  for (std::size_t t = 0; t < run.fragilities.size(); ++t) {
+    const ThresholdFragility& fragility = run.fragilities[t];
+    const Look colour = family_look(t, run.fragilities.size());
+    const std::string name = "slip above " + format_length(fragility.threshold_m);
+    const Where where{{"threshold", fragility.threshold_m}};
+    if (has_curve(fragility))
+      curves.lines.push_back({name + ", lognormal", colour, "probability", where,
+                              "probability_low95", "probability_high95", DataSeries::Kind::line});
+    observed.lines.push_back(
+        {name + ", observed", colour, "share", where, "", "", DataSeries::Kind::points});
+    if (!are_a_few(run) || !fragility.capacities.converged())
+      key.push_back(
+          {has_curve(fragility) ? DataSeries::Kind::line_and_points : DataSeries::Kind::points,
+           colour, "", threshold_text(results, fragility)});
   }
-  DataSeries key{curve.x.empty() ? DataSeries::Kind::points : DataSeries::Kind::line_and_points,
-                 colour};
-  if (!are_a_few(run) || !fragility.capacities.converged())
-    key.label = threshold_text(results, fragility);
-  panel.series.insert(panel.series.begin(), std::move(band));
-  for (DataSeries* series : {&curve, &observed, &key}) panel.series.push_back(std::move(*series));
+  add_lines(panel, curves);
+  add_lines(panel, observed);
+  panel.series.insert(panel.series.end(), key.begin(), key.end());
 }
 
 }  // namespace
@@ -113,7 +113,7 @@ Figure fragility_figure(const Results& results, const RunResults& run) {
   Panel panel{"",
               {results.intensity_label, 0.0, results.levels.back()},
               {"Probability that slip in plan exceeds the clearance", 0.0, 1.0}};
-  for (std::size_t t = 0; t < run.fragilities.size(); ++t) add_threshold(panel, results, run, t);
+  add_thresholds(panel, results, run);
   add_direct_labels(panel, run);
   panel.series.push_back({DataSeries::Kind::band, look(Role::largest), "",
                           std::string(are_a_few(run) ? "shaded" : "shaded and [ ]") +

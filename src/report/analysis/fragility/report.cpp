@@ -254,9 +254,15 @@ std::vector<Figure> figures(const Results& results) {
 }
 
 std::vector<Table> tables(const Results& results) {
-  return {fragility_table(results),  goodness_of_fit_table(results), fragility_band_table(results),
-          recrossing_table(results), combinations_table(results),    earthquakes_table(results),
-          slip_table(results),       standards_table(results),       stripes_table(results),
+  return {fragility_table(results),
+          goodness_of_fit_table(results),
+          fragility_band_table(results, results.runs),
+          recrossing_table(results),
+          combinations_table(results),
+          earthquakes_table(results),
+          slip_table(results),
+          standards_table(results),
+          stripes_table(results, results.runs),
           samples_table(results)};
 }
 

@@ -182,7 +182,7 @@ Table goodness_of_fit_table(const Results& results) {
   return with_listed(results, table);
 }
 
-Table fragility_band_table(const Results& results) {
+Table fragility_band_table(const Results& results, std::span<const RunResults> runs) {
   Table table{"fragility_band",
               "The fit on capacities by intensity, with its 95 % band." + measured_by(results) +
                   in_plan(results),
@@ -192,7 +192,7 @@ Table fragility_band_table(const Results& results) {
                {"probability", "", "Probability [95 %]", ColumnKind::share,
                 "of exceeding the threshold, by the fit on capacities", true}},
               {}};
-  for (const RunResults& run : results.runs) {
+  for (const RunResults& run : runs) {
     for (const ThresholdFragility& fragility : run.fragilities) {
       for (std::size_t i = 0; i < fragility.band.size(); ++i) {
         const double intensity = run.band_intensities[i];
@@ -339,7 +339,7 @@ Table slip_table(const Results& results) {
   return two_axes ? table : table.without("mean_vector");
 }
 
-Table stripes_table(const Results& results) {
+Table stripes_table(const Results& results, std::span<const RunResults> runs) {
   Table table{
       "stripes",
       "Histories whose slip exceeds the threshold, by level: what the fit on stripes rests on." +
@@ -353,7 +353,7 @@ Table stripes_table(const Results& results) {
        {"share", "", "Share [95 %]", ColumnKind::share,
         "share of histories that exceed the threshold", true}},
       {}};
-  for (const RunResults& run : results.runs) {
+  for (const RunResults& run : runs) {
     const double histories = histories_per_level(results, run);
     for (const ThresholdFragility& fragility : run.fragilities) {
       for (std::size_t l = 0; l < fragility.probability.size(); ++l) {

@@ -5,45 +5,18 @@
 #include <cmath>
 
 #include "analysis/impact/impact.hpp"
-#include "glissade/core/quantile.hpp"
 #include "glissade/report/figures.hpp"
+#include "glissade/report/tables.hpp"
+#include "plot/view.hpp"
 #include "text/study_text.hpp"
 
 namespace glissade {
 namespace {
 
-/// Percentiles of fewer records' histories would be of those records alone.
-constexpr std::size_t fewest_records = 3;
 constexpr std::size_t most_levels = 3;
 
-/// Speeds over the thresholds that enough records reach at a level: the median, and 16th to 84th
-/// percentile.
-DataSeries speeds_at(const Results& results, const RunResults& run, std::size_t level) {
-  const std::size_t records = results.records.size(), samples = run.cases,
-                    thresholds = results.thresholds_m.size();
-  const HistoryTable& table = results.histories;
-  DataSeries points{DataSeries::Kind::line_and_points};
-  for (std::size_t t = 0; t < thresholds; ++t) {
-    std::vector<double> speeds;
-    std::size_t reaching = 0;
-    for (std::size_t i = 0; i < records; ++i) {
-      const std::size_t before = speeds.size();
-      for (std::size_t j = 0; j < samples; ++j) {
-        const double speed =
-            table.fields
-                .crossing_speed_mps[table.at(i, run.first_case + j, level) * thresholds + t];
-        if (!std::isnan(speed)) speeds.push_back(speed);
-      }
-      reaching += speeds.size() > before ? 1 : 0;
-    }
-    if (reaching < fewest_records) continue;
-    points.x.push_back(results.thresholds_m[t]);
-    points.low.push_back(quantile_of(speeds, 0.16));
-    points.y.push_back(quantile_of(speeds, 0.5));
-    points.high.push_back(quantile_of(speeds, 0.84));
-  }
-  return points;
-}
+/// Enough records reach it for intervals; percentiles of fewer would be of those records alone.
+bool reached_by_enough(double low_mps) { return !std::isnan(low_mps); }
 
 }  // namespace
 
@@ -59,31 +32,29 @@ Figure impact_figure(const Results& results, const RunResults& run) {
           "than three records reach are left out at that level. Friction " +
           run.friction_description + "."};
   std::vector<double> levels;  // where there is anything to show
-  for (std::size_t l = 0; l < results.levels.size(); ++l) {
-    if (!speeds_at(results, run, l).x.empty()) levels.push_back(results.levels[l]);
-  }
+  for (const double level : results.levels)
+    if (std::ranges::any_of(run.impact, [&](const ImpactStatistics& s) {
+          return s.level == level && reached_by_enough(s.speed_median_mps.interval.low);
+        }))
+      levels.push_back(level);
   levels = some_levels(levels, most_levels);
   if (levels.empty()) return figure;
+  View view{impact_table(results), "threshold", {}, {{"run", run.label}}};
+  keep_rows(view.table, "median_speed_low95", reached_by_enough);
+  for (const double level : levels)
+    view.lines.push_back({"median at " + at_intensity(results, level),
+                          family_look(view.lines.size(), levels.size()),
+                          "median_speed",
+                          {{"level", level}},
+                          "p16_speed",
+                          "p84_speed"});
   const double right_m = 1.08 * (results.thresholds_m.empty() ? 1.0 : results.thresholds_m.back());
+  view.spread = DataSeries::Kind::bars;
+  view.spread_name = "16th to 84th percentile";
+  view.apart = 0.006 * right_m;
   Panel panel{"", length_axis("Clearance: distance in plan from the initial position", right_m)};
-  double top_mps = 0.0;
-  for (std::size_t k = 0; k < levels.size(); ++k) {
-    const auto level = std::ranges::find(results.levels, levels[k]) - results.levels.begin();
-    DataSeries median = speeds_at(results, run, static_cast<std::size_t>(level));
-    median.look = family_look(k, levels.size());
-    median.name = median.label = "median at " + at_intensity(results, levels[k]);
-    // Bars of different levels do not hide each other.
-    median.aside = 0.006 * right_m * (static_cast<double>(k) - 1.0);
-    top_mps = std::max(top_mps, *std::ranges::max_element(median.high));
-    DataSeries bars = median;
-    bars.kind = DataSeries::Kind::bars;
-    bars.name = at_intensity(results, levels[k]) + ": 16th to 84th percentile";
-    bars.label.clear();
-    median.low.clear();
-    median.high.clear();
-    panel.series.insert(panel.series.begin(), std::move(bars));
-    panel.series.push_back(std::move(median));
-  }
+  add_lines(panel, view);
+  const double top_mps = largest_y(panel);
   panel.series.push_back({DataSeries::Kind::bars, look(Role::largest), "",
                           "bars: 16th to 84th percentile of the histories that reach it"});
   const double shown_mps = top_mps > 0.0 ? 1.08 * top_mps : 1.0;

@@ -38,6 +38,8 @@ Table impact_table(const Results& results) {
                level_column(results),
                {"reached_share", "", "Reached [95 %]", ColumnKind::share,
                 "share of histories that reach the threshold", true},
+               {"p16_speed", "mps", "16th percentile, m/s", ColumnKind::number,
+                "16th percentile of the speed at the first crossing"},
                {"median_speed", "mps", "Median speed, m/s [95 %]", ColumnKind::number,
                 "median speed in plan at the first crossing, of the histories that reach it", true},
                {"p84_speed", "mps", "84th percentile, m/s [95 %]", ColumnKind::number,
@@ -59,8 +61,8 @@ Table impact_table(const Results& results) {
               {}};
   for (const RunResults& run : results.runs) {
     for (const ImpactStatistics& s : run.impact) {
-      table.add({run.label, s.threshold_m, s.level, s.reached_share, s.speed_median_mps,
-                 s.speed_p84_mps, s.speed_p95_mps, s.speed_largest_mps,
+      table.add({run.label, s.threshold_m, s.level, s.reached_share, s.speed_p16_mps,
+                 s.speed_median_mps, s.speed_p84_mps, s.speed_p95_mps, s.speed_largest_mps,
                  energy_jpkg(s.speed_median_mps.value), energy_jpkg(s.speed_p84_mps.value),
                  s.time_p16_s, s.time_median_s, s.time_p84_s});
     }
