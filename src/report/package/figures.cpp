@@ -109,6 +109,8 @@ Figure exceedance_figure(const CalculationPackage& package) {
       at_dbe ? "DBE" : "MCE", design.site.sds_g, design.site.sms_g(),
       package.probability.levels.back());
   Panel& panel = figure.panels.front();
+  for (DataSeries& series : panel.series)
+    if (!series.source.empty()) series.source = "probability/" + series.source;
   for (const auto& [name, level_g] :
        {std::pair{"DBE", design.site.sds_g}, std::pair{"MCE", design.site.sms_g()}}) {
     panel.rules.push_back({Rule::Kind::vertical, level_g, look(Role::reference)});

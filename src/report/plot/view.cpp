@@ -41,12 +41,6 @@ bool are_same(const Cell& a, const Cell& b) {
 
 using Rows = std::vector<const std::vector<Cell>*>;
 
-Rows all_rows(const Table& table) {
-  Rows rows;
-  for (const std::vector<Cell>& row : table.rows) rows.push_back(&row);
-  return rows;
-}
-
 Rows rows_where(const Table& table, Rows rows, const Where& where) {
   for (const auto& [stem, cell] : where)
     std::erase_if(rows, [place = FileColumn(table, stem).place, &cell](const auto* row) {
@@ -71,18 +65,18 @@ void keep_rows(Table& table, const std::string& stem, const std::function<bool(d
 }
 
 void keep_largest(Table& table, const std::vector<std::string>& same, const std::string& stem) {
-  const FileColumn number(table, stem);
+  const FileColumn largest(table, stem);
+  std::vector<std::size_t> places;
+  for (const std::string& column : same) places.push_back(FileColumn(table, column).place);
   std::vector<std::vector<Cell>> kept;
   for (std::vector<Cell>& row : table.rows) {
     const auto found = std::ranges::find_if(kept, [&](const std::vector<Cell>& other) {
-      return std::ranges::all_of(same, [&](const std::string& column) {
-        const std::size_t place = FileColumn(table, column).place;
-        return are_same(row[place], other[place]);
-      });
+      return std::ranges::all_of(
+          places, [&](std::size_t place) { return are_same(row[place], other[place]); });
     });
     if (found == kept.end())
       kept.push_back(std::move(row));
-    else if (number.number(row) > number.number(*found))
+    else if (largest.number(row) > largest.number(*found))
       *found = std::move(row);
   }
   table.rows = std::move(kept);
@@ -96,7 +90,9 @@ void add_lines(Panel& panel, const View& view) {
         view.places, [&](const auto& of) { return are_same(of.first, row[x.place]); });
     return place != view.places.end() ? place->second.at : x.number(row);
   };
-  const Rows shown = rows_where(table, all_rows(table), view.where);
+  Rows shown;
+  for (const std::vector<Cell>& row : table.rows) shown.push_back(&row);
+  shown = rows_where(table, shown, view.where);
   std::vector<DataSeries> spreads;
   double aside = -0.5 * view.apart * static_cast<double>(view.lines.size() - 1);
   for (const ViewLine& line : view.lines) {

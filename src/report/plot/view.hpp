@@ -22,14 +22,17 @@ void keep_largest(Table& table, const std::vector<std::string>& same, const std:
 /// Rows with these cells.
 using Where = std::vector<std::pair<std::string, Cell>>;
 
+inline constexpr auto as_line = DataSeries::Kind::line, as_points = DataSeries::Kind::points,
+                      as_line_and_points = DataSeries::Kind::line_and_points;
+
 struct ViewLine {
   std::string name;  ///< and in the key
   Look look;
+  DataSeries::Kind kind;
   std::string y;                    ///< column; empty: no line but a spread
   Where where = {};                 ///< of the rows of the view
   std::string low = {}, high = {};  ///< columns of a band or bars; empty: it has none
-  DataSeries::Kind kind = DataSeries::Kind::line_and_points;
-  std::string label = {};  ///< in the key, in place of the name
+  std::string label = {};           ///< in the key, in place of the name
 };
 
 struct View {

@@ -58,8 +58,11 @@ std::vector<ViewLine> lines_by(const Results& results, const std::string& group,
     Look look = family_look(lines.size(), drawn.size());
     look.width = 2.0;
     look.symbol_size = 0.6;
-    lines.push_back(
-        {label(results, values[i]), look, design_statistic(results).stem, {{group, values[i]}}});
+    lines.push_back({label(results, values[i]),
+                     look,
+                     as_line_and_points,
+                     design_statistic(results).stem,
+                     {{group, values[i]}}});
   }
   return lines;
 }
@@ -109,8 +112,8 @@ Figure chart_slope_figure(const Results& results) {
   for (const ChartStatistic& statistic : chart_statistics(results)) {
     if (statistic.stem == "mean_slip") continue;  // a part of the clearance
     const Role role = roles[view.lines.size()];
-    view.lines.push_back({statistic.name, look(role), statistic.stem});
-    if (role != Role::clearance) view.lines.back().kind = DataSeries::Kind::line;
+    view.lines.push_back({statistic.name, look(role),
+                          role == Role::clearance ? as_line_and_points : as_line, statistic.stem});
   }
   const Panel panel = panel_of(view, slope_label);
   std::vector<Stretch> prescribed;
@@ -203,9 +206,10 @@ Figure chart_period_figure(const Results& results) {
   const bool one_record = is_one_record(results);
   const ChartStatistic design = design_statistic(results);
   if (!one_record)
-    view.lines = {{"mean over records", look(Role::mean), "mean_slip"},
-                  {"95th percentile", look(Role::p95), "p95_slip"}};
-  view.lines.push_back({"largest", look(Role::largest), one_record ? design.stem : "envelope"});
+    view.lines = {{"mean over records", look(Role::mean), as_line_and_points, "mean_slip"},
+                  {"95th percentile", look(Role::p95), as_line_and_points, "p95_slip"}};
+  view.lines.push_back(
+      {"largest", look(Role::largest), as_line_and_points, one_record ? design.stem : "envelope"});
   Panel panel = panel_of(view, "Building period (s)");
   const std::string name = one_record ? "largest over periods" : design.name;
   const double slip_m = design.slip_m(point);

@@ -184,7 +184,7 @@ Figure vertical_figure(const Results& results) {
   view.spread = DataSeries::Kind::bars;
   view.apart = 0.05;
   for (ViewLine& line : view.lines) {  // names have nothing between them
-    line.kind = DataSeries::Kind::points;
+    line.kind = as_points;
     line.look.symbol_size = 1.4;
   }
   const ConditionGrid& grid = results.conditions->grid;

@@ -37,6 +37,7 @@ Figure each_orientation_figure(const Results& results, const std::vector<std::si
       const std::size_t orientation = distinct[first + i];
       view.lines.push_back({line_label(results, results.conditions->orientations[orientation]),
                             family_look(i, count),
+                            as_line_and_points,
                             "mean",
                             {{"orientation", static_cast<double>(orientation + 1)}}});
     }

@@ -26,8 +26,8 @@ View medians_over(const Results& results, ConditionAxis x, const Table& table,
   view.spread_name = "lowest and highest";
   if (results.suites.size() > 1) view.where = {{"suite", results.suites.front().name}};
   for (const Condition& at : members) {
-    view.lines.push_back({name(at), family_look(view.lines.size(), members.size()), "median",
-                          rows_at(results, table, at, x)});
+    view.lines.push_back({name(at), family_look(view.lines.size(), members.size()),
+                          as_line_and_points, "median", rows_at(results, table, at, x)});
     if (results.conditions->orientations.size() < 2) continue;
     view.lines.back().low = "lowest";
     view.lines.back().high = "highest";

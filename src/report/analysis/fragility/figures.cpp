@@ -81,10 +81,9 @@ void add_thresholds(Panel& panel, const Results& results, const RunResults& run)
     const std::string name = "slip above " + format_length(fragility.threshold_m);
     const Where where{{"threshold", fragility.threshold_m}};
     if (has_curve(fragility))
-      curves.lines.push_back({name + ", lognormal", colour, "probability", where,
-                              "probability_low95", "probability_high95", DataSeries::Kind::line});
-    observed.lines.push_back(
-        {name + ", observed", colour, "share", where, "", "", DataSeries::Kind::points});
+      curves.lines.push_back({name + ", lognormal", colour, as_line, "probability", where,
+                              "probability_low95", "probability_high95"});
+    observed.lines.push_back({name + ", observed", colour, as_points, "share", where});
     if (!are_a_few(run) || !fragility.capacities.converged())
       key.push_back(
           {has_curve(fragility) ? DataSeries::Kind::line_and_points : DataSeries::Kind::points,

@@ -63,11 +63,9 @@ Figure hazard_figure(const Results& results) {
   for (std::size_t i = 0; i < std::min(hazard.runs.size(), most_lines); ++i)
     view.lines.push_back({run_name(results, results.runs[i]),
                           distinct_look(i),
+                          as_line,
                           "annual_rate",
-                          {{"run", hazard.runs[i].label}},
-                          "",
-                          "",
-                          DataSeries::Kind::line});
+                          {{"run", hazard.runs[i].label}}});
   ViewLine& first = view.lines.front();
   first.label = first.name + " (shaded: 95 % interval)";
   first.low = "annual_rate_low95";

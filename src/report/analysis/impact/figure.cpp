@@ -44,6 +44,7 @@ Figure impact_figure(const Results& results, const RunResults& run) {
   for (const double level : levels)
     view.lines.push_back({"median at " + at_intensity(results, level),
                           family_look(view.lines.size(), levels.size()),
+                          as_line_and_points,
                           "median_speed",
                           {{"level", level}},
                           "p16_speed",

@@ -131,9 +131,9 @@ Figure rare_figure(const Results& results) {
     Look one = distinct_look(records.lines.size());
     one.symbol = 7;
     const Where where{{"threshold", threshold_m}};
-    records.lines.push_back({format_length(threshold_m), one, "probability", where,
-                             "probability_low95", "probability_high95"});
-    samples.lines.push_back({format_length(threshold_m), one, "", where,
+    records.lines.push_back({format_length(threshold_m), one, as_line_and_points, "probability",
+                             where, "probability_low95", "probability_high95"});
+    samples.lines.push_back({format_length(threshold_m), one, as_line, "", where,
                              "sampled_probability_low95", "sampled_probability_high95"});
   }
   add_lines(panel, records);

@@ -126,6 +126,7 @@ Figure spread_over_intensity_figure(const Results& results) {
   for (const std::size_t factor : factors)
     view.lines.push_back({found.factors[factor],
                           family_look(view.lines.size(), factors.size()),
+                          as_line_and_points,
                           given ? "first" : "total",
                           {{"factor", found.factors[factor]}}});
   Panel panel = panel_of(view, results.intensity_label);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
+#include <tuple>
 
 #include "glissade/report/figures.hpp"
 #include "glissade/report/format.hpp"
@@ -17,21 +18,18 @@ void add_standard(Panel& panel, const Results& results, const RunResults& run, S
   const std::string name = standard_name(standard);
   Look hollow = style;
   hollow.symbol = hollow_symbol;
-  const auto points = [&](const char* which, Look look, Provenance provenance) {
-    return ViewLine{name + which,
-                    look,
-                    "prescribed",
-                    {{"provenance", provenance_label(provenance)}},
-                    "",
-                    "",
-                    DataSeries::Kind::points};
-  };
   View view{standards_table(results),
             "sds",
-            {{name, style, "prescribed", {}, "", "", DataSeries::Kind::line},
-             points(", checked", style, Provenance::checked),
-             points(", recalled", hollow, Provenance::recalled)},
+            {{name, style, as_line, "prescribed"}},
             {{"run", run.label}, {"standard", name}}};
+  for (const auto& [which, points, provenance] :
+       {std::tuple{", checked", style, Provenance::checked},
+        std::tuple{", recalled", hollow, Provenance::recalled}})
+    view.lines.push_back({name + which,
+                          points,
+                          as_points,
+                          "prescribed",
+                          {{"provenance", provenance_label(provenance)}}});
   view.in_key = false;
   add_lines(panel, view);
   panel.series.push_back({DataSeries::Kind::line_and_points, style, "", name});
@@ -56,16 +54,7 @@ Figure slip_vs_sds_figure(const Results& results, const RunResults& run) {
         "tables/standards.csv.";
   }
   figure.labels_at_lines = true;
-  const auto line = [](Role role, const char* name, const std::string& stem, bool band) {
-    return ViewLine{name,
-                    look(role),
-                    stem,
-                    {},
-                    band ? stem + "_low95" : "",
-                    band ? stem + "_high95" : "",
-                    DataSeries::Kind::line};
-  };
-  const auto slips = [&](const char* title, const std::vector<ViewLine>& lines) {
+  const auto panel_of_slips = [&](const char* title, const std::vector<ViewLine>& lines) {
     Panel panel{title, {results.intensity_label, 0.0, results.levels.back()}};
     add_lines(panel, {slip_table(results), "level", lines, {{"run", run.label}}});
     return panel;
@@ -76,16 +65,16 @@ Figure slip_vs_sds_figure(const Results& results, const RunResults& run) {
     panel.y = length_axis("Peak slip in plan", top_m > 0.0 ? 1.05 * top_m : 1.0);
     return panel;
   };
-  const Panel slip =
-      with_height(slips("Slip", {line(Role::p95, "95th", "p95_slip", false),
-                                 line(Role::p84, "84th", "p84_slip", true),
-                                 line(Role::mean, "mean", "mean_slip", false),
-                                 line(Role::median, "median", "median_slip", true)}));
-  figure.panels.push_back(slip);
+  const ViewLine p95{"95th", look(Role::p95), as_line, "p95_slip"},
+      p84{"84th", look(Role::p84), as_line, "p84_slip", {}, "p84_slip_low95", "p84_slip_high95"},
+      mean{"mean", look(Role::mean), as_line, "mean_slip"},
+      median{"median", look(Role::median), as_line, "median_slip"};
+  ViewLine median_with_band = median;
+  median_with_band.low = "median_slip_low95";
+  median_with_band.high = "median_slip_high95";
+  figure.panels.push_back(with_height(panel_of_slips("Slip", {p95, p84, mean, median_with_band})));
   if (!has_standards) return figure;
-  Panel compared = slips("Slip and prescribed displacements",
-                         {line(Role::p95, "95th", "p95_slip", false),
-                          line(Role::median, "median", "median_slip", false)});
+  Panel compared = panel_of_slips("Slip and prescribed displacements", {p95, median});
   // The two standards agree over a wide range: the wide line is drawn below the narrow one.
   add_standard(compared, results, run, Standard::asce7_16, {{0x999999}, 5.0, 1, 5, 1.5}, 4);
   add_standard(compared, results, run, Standard::seaoc_pv1_2012, {{0x5e3c99}, 1.5, 5, 7, 0.8}, 6);

@@ -50,13 +50,14 @@ std::vector<Panel> panels_of(const Results& results, Table table, const std::str
   for (const double slope_deg : some_of(all_of(verdict, &VerdictRow::slope_deg), most_panels)) {
     view.lines.clear();
     for (const double mu : frictions)
-      view.lines.push_back({.name = fmt::format("friction {:.3g}", mu),
-                            .look = family_look(view.lines.size(), frictions.size()),
-                            .y = y,
-                            .where = {{"mu", mu}, {"slope", slope_deg}},
-                            .low = y + "_low95",
-                            .high = y + "_high95",
-                            .label = fmt::format("{:.3g}", mu)});
+      view.lines.push_back({fmt::format("friction {:.3g}", mu),
+                            family_look(view.lines.size(), frictions.size()),
+                            as_line_and_points,
+                            y,
+                            {{"mu", mu}, {"slope", slope_deg}},
+                            y + "_low95",
+                            y + "_high95",
+                            fmt::format("{:.3g}", mu)});
     Panel panel = panel_of(view, over_r ? "R of the building" : results.intensity_label);
     panel.title = fmt::format("slope {:.3g} degrees", slope_deg);
     panel.x.low = 0.0;
