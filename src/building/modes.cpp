@@ -16,7 +16,6 @@ namespace glissade {
 namespace {
 
 constexpr double mass_wanted = 0.95, shortest_period_s = 0.05;
-constexpr std::size_t most_modes = 6;
 
 /// A mode shape over the height, 0 to 1: with beta^2 = alpha^2 + gamma^2 a sum of a harmonic and
 /// of exponentials from either end, so that nothing large cancels.
@@ -67,6 +66,23 @@ double integral(const Shape& shape, Integrand f) {
 }
 
 }  // namespace
+
+Modes::Modes(std::span<const Mode> modes) : size_(modes.size()) {
+  GLISSADE_EXPECTS(!modes.empty() && modes.size() <= most_modes);
+  std::ranges::copy(modes, modes_.begin());
+}
+
+double Modes::ground_share() const {
+  double share = 1.0;
+  for (const Mode& mode : *this) share -= mode.participation;
+  return share;
+}
+
+double Modes::accelerance() const {
+  double sum = 0.0;
+  for (const Mode& mode : *this) sum += mode.participation * mode.participation / mode.mass_share;
+  return sum;
+}
 
 std::vector<Mode> cantilever_modes(double period_s, double alpha, std::size_t count) {
   GLISSADE_EXPECTS(period_s > 0.0 && alpha >= 0.0 && alpha <= largest_alpha);

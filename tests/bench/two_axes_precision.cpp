@@ -61,7 +61,7 @@ std::vector<Scene> scenes_of(double pga_mps2, bool vertical, const Kind& kind) {
 
 std::string describe(const Component& component, const Scene& s) {
   return fmt::format("{}, m/M {}, T {} s, factor {:.3g}, mu {}, slope {:.4g} deg to {:.3g} deg{}",
-                     component.id, s.building.mass_ratio, s.building.horizontal[0].period_s,
+                     component.id, s.building.mass_ratio, s.building.horizontal[0][0].period_s,
                      s.factors.horizontal[0], s.block.friction.along,
                      s.block.slope_rad / rad_per_deg, s.block.azimuth_rad / rad_per_deg,
                      s.factors.vertical != 0.0 ? ", vertical" : "");

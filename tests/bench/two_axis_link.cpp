@@ -37,10 +37,10 @@ struct Motion {
 class LinkOnBuilding {
  public:
   LinkOnBuilding(const BiaxialBuilding& building, const TwoAxisBlock& block)
-      : rigid_(building.horizontal[0].period_s == 0.0),
+      : rigid_(building.horizontal[0][0].period_s == 0.0),
         omega_{omega(building.horizontal[0]), omega(building.horizontal[1])},
-        damping_{2.0 * building.horizontal[0].damping_ratio * omega_.x,
-                 2.0 * building.horizontal[1].damping_ratio * omega_.y},
+        damping_{2.0 * building.horizontal[0][0].damping_ratio * omega_.x,
+                 2.0 * building.horizontal[1][0].damping_ratio * omega_.y},
         r_(rigid_ ? 0.0 : building.mass_ratio),
         mu_(block.friction.along),
         sine_(std::sin(block.slope_rad)),
@@ -115,7 +115,7 @@ double two_axis_link_peak_m(const SampledGround& ground, const BuildingFactors& 
                             const BiaxialBuilding& building, const TwoAxisBlock& block,
                             int substeps) {
   [[maybe_unused]] const auto rigid = [&](std::size_t n) {
-    return building.horizontal[n].period_s == 0.0;
+    return building.horizontal[n][0].period_s == 0.0;
   };
   GLISSADE_EXPECTS(rigid(0) == rigid(1) && block.friction.along == block.friction.across);
   GLISSADE_EXPECTS(block.friction.along > std::tan(block.slope_rad));

@@ -32,7 +32,7 @@ class FreeBodies {
     turn_ = {std::cos(azimuth), std::sin(azimuth)};
     mu_ = {block.friction.along, block.friction.across};
     for (std::size_t n = 0; n < 2; ++n) {
-      const Oscillator& o = scene.building.horizontal[n];
+      const Mode& o = scene.building.horizontal[n][0];
       if (o.period_s == 0.0) continue;
       omega_[n] = 2.0L * std::numbers::pi_v<Long> / o.period_s;
       twice_zeta_omega_[n] = 2.0L * o.damping_ratio * omega_[n];

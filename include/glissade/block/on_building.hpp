@@ -12,12 +12,12 @@
 
 namespace glissade {
 
-/// A building below the array: an oscillator along each of its two horizontal axes, coupled only
-/// through the array.
+/// A building below the array: one mass or some modes along each of its two horizontal axes,
+/// coupled only through the array.
 struct BiaxialBuilding {
-  std::array<Oscillator, 2> horizontal;  ///< of the building alone; is_rigid(): along that axis
-  std::array<Yielding, 2> yielding;      ///< of the spring of each axis
-  double mass_ratio = 0.0;  ///< m/M, mass of the array over mass of the building, [0, 1]
+  std::array<Modes, 2> horizontal;   ///< of the building alone; is_rigid(): along that axis
+  std::array<Yielding, 2> yielding;  ///< of the spring of each axis, which is then of one mass
+  double mass_ratio = 0.0;           ///< m/M, mass of the array over mass of the building, [0, 1]
 };
 
 /// Excitation: the ground motion along the two axes of the building, and the vertical roof motion.

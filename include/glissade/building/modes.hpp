@@ -1,11 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
+#include <compare>
 #include <cstddef>
 #include <span>
 #include <vector>
 
 namespace glissade {
+
+/// A linear single-degree-of-freedom oscillator. period_s = 0: rigid, the roof moves with the
+/// ground.
+struct Oscillator {
+  double period_s = 0.0;        ///< >= 0
+  double damping_ratio = 0.05;  ///< >= 0
+};
 
 /// A mode of a linear, classically damped building along one axis, as the array on its roof meets
 /// it (Chopra 2017, chapter 13): with M_n = phi^T M phi and L_n = phi^T M 1,
@@ -13,9 +22,53 @@ namespace glissade {
 /// and the roof's absolute acceleration is a_g + sum of gamma D_n'' over the modes. One mass on one
 /// spring is gamma = e = 1. Over all modes the sum of gamma and that of e are 1.
 struct Mode {
-  double period_s = 0.0;       ///< > 0
-  double participation = 1.0;  ///< gamma, at the array
-  double mass_share = 1.0;     ///< e, (0, 1]
+  double period_s = 0.0;        ///< > 0
+  double participation = 1.0;   ///< gamma, at the array
+  double mass_share = 1.0;      ///< e, (0, 1]
+  double damping_ratio = 0.05;  ///< >= 0
+
+  Oscillator oscillator() const { return {period_s, damping_ratio}; }
+  auto operator<=>(const Mode&) const = default;
+};
+
+/// The most modes that a building is computed with along an axis.
+inline constexpr std::size_t most_modes = 6;
+
+/// A building along one axis: one mass on one spring, or some of its modes, the longest period
+/// first. Those that it has not move with the ground.
+class Modes {
+ public:
+  Modes() = default;  ///< rigid
+  // One mass. NOLINTNEXTLINE(google-explicit-constructor): an oscillator is a building.
+  Modes(const Oscillator& one_mass) : Modes(one_mass.period_s, one_mass.damping_ratio) {}
+  Modes(double period_s, double damping_ratio) : modes_{{{period_s, 1.0, 1.0, damping_ratio}}} {}
+  /// @param modes at most most_modes
+  explicit Modes(std::span<const Mode> modes);
+
+  std::size_t size() const { return size_; }
+  const Mode* begin() const { return modes_.data(); }
+  const Mode* end() const { return modes_.data() + size_; }
+  const Mode& operator[](std::size_t n) const { return modes_[n]; }
+  Mode& operator[](std::size_t n) { return modes_[n]; }
+
+  /// The longest period; 0: rigid.
+  double period_s() const { return modes_[0].period_s; }
+  bool rigid() const { return period_s() == 0.0; }
+  bool is_one_mass() const {
+    return size_ == 1 && modes_[0].participation == 1.0 && modes_[0].mass_share == 1.0;
+  }
+  /// The part of the ground's acceleration that the roof has from modes that are left out,
+  /// 1 - sum of gamma.
+  double ground_share() const;
+  /// The roof's acceleration by a force at the array that would give the whole building 1:
+  /// sum of gamma^2 / e.
+  double accelerance() const;
+
+  auto operator<=>(const Modes&) const = default;
+
+ private:
+  std::size_t size_ = 1;
+  std::array<Mode, most_modes> modes_{};
 };
 
 /// The largest shear-to-flexure parameter of cantilever_modes(): beyond it the building is one of

@@ -5,14 +5,9 @@
 #include <span>
 #include <vector>
 
-namespace glissade {
+#include "glissade/building/modes.hpp"
 
-/// A linear single-degree-of-freedom oscillator. period_s = 0: rigid, the roof moves with the
-/// ground.
-struct Oscillator {
-  double period_s = 0.0;        ///< >= 0
-  double damping_ratio = 0.05;  ///< >= 0
-};
+namespace glissade {
 
 /// The building: one oscillator along the slope, one for the vertical (rigid in Walters et al.
 /// 2012). The mass of the array is neglected.

@@ -34,8 +34,9 @@ void check([[maybe_unused]] const BuildingGround& ground, const BuildingFactors&
   GLISSADE_EXPECTS(ground.horizontal[1] == nullptr || ground.horizontal[1]->step_s() == step_s);
   GLISSADE_EXPECTS(ground.vertical == nullptr || ground.vertical->step_s() == step_s);
   for ([[maybe_unused]] std::size_t n : {0u, 1u}) {
-    GLISSADE_EXPECTS(building.horizontal[n].period_s >= 0.0 &&
-                     building.horizontal[n].damping_ratio >= 0.0);
+    GLISSADE_EXPECTS(building.horizontal[n].is_one_mass());
+    GLISSADE_EXPECTS(building.horizontal[n][0].period_s >= 0.0 &&
+                     building.horizontal[n][0].damping_ratio >= 0.0);
     GLISSADE_EXPECTS(building.yielding[n].yield_acceleration_mps2 > 0.0 &&
                      building.yielding[n].hardening_ratio >= 0.0 &&
                      building.yielding[n].hardening_ratio < 1.0);
@@ -47,7 +48,7 @@ block_detail::Accelerance accelerance(const BuildingContact& contact,
                                       const BiaxialBuilding& building) {
   block_detail::Axes by_axis{};
   for (std::size_t n = 0; n < 2; ++n)
-    if (building.horizontal[n].period_s > 0.0) by_axis[n] = building.mass_ratio;
+    if (building.horizontal[n][0].period_s > 0.0) by_axis[n] = building.mass_ratio;
   return contact.accelerance(by_axis);
 }
 
@@ -65,7 +66,8 @@ BuildingSlip slide_along(const TwoAxisTrack& track, const BuildingGround& ground
 
   const Excitation excitation(ground, factors);
   const double dt = excitation.dt_s();
-  std::array<Oscillator, 2> oscillators = building.horizontal;
+  std::array<Oscillator, 2> oscillators{building.horizontal[0][0].oscillator(),
+                                        building.horizontal[1][0].oscillator()};
   int pieces_per_interval = 1;
   double longest_period_s = 0.0;
   for (std::size_t n = 0; n < 2; ++n) {
@@ -112,7 +114,7 @@ void require_finite_scene(const BiaxialBuilding& building, const TwoAxisBlock& b
                        "the factors");
   require_finite({building.mass_ratio}, "mass ratio");
   for (const std::size_t n : {0u, 1u}) {
-    require_finite({building.horizontal[n].period_s, building.horizontal[n].damping_ratio,
+    require_finite({building.horizontal[n][0].period_s, building.horizontal[n][0].damping_ratio,
                     building.yielding[n].hardening_ratio},
                    "period, damping, hardening");
     require_no_nan(building.yielding[n].yield_acceleration_mps2, "yield acceleration");

@@ -30,13 +30,12 @@ using block_detail::two_axes::StepKind;
 using block_detail::two_axes::Stepped;
 
 /// What histories on one table have in common.
-using BuildingKey = std::tuple<double, double, double, double, double>;
+using BuildingKey = std::tuple<Modes, Modes, double>;
 
 BuildingKey key_of(const BiaxialBuilding& building) {
   const auto& [first, second] = building.horizontal;
-  if (first.period_s == 0.0) return {};
-  return {first.period_s, first.damping_ratio, second.period_s, second.damping_ratio,
-          building.mass_ratio};
+  if (first.rigid()) return {};
+  return {first, second, building.mass_ratio};
 }
 
 /// The tables of the last buildings. One that a history still needs lives on; the memory of others

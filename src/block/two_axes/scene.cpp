@@ -14,19 +14,20 @@ constexpr double least_friction = 1.02;  // over tan(slope): less stops the bloc
 constexpr double most_friction = 2.0;
 constexpr double least_damping = 1e-3, most_damping = 0.5;
 
-double omega_of(const Oscillator& oscillator) {
-  return oscillator.period_s > 0.0 ? 2.0 * std::numbers::pi / oscillator.period_s : 0.0;
+double omega_of(const Mode& mode) {
+  return mode.period_s > 0.0 ? 2.0 * std::numbers::pi / mode.period_s : 0.0;
 }
 
-bool fits_lanes(const Oscillator& oscillator, double dt_s) {
-  return omega_of(oscillator) * dt_s <= longest_phase_in_lanes &&
-         oscillator.damping_ratio >= least_damping && oscillator.damping_ratio <= most_damping;
+bool fits_lanes(const Modes& axis, double dt_s) {
+  const Mode& mode = axis[0];
+  return axis.is_one_mass() && omega_of(mode) * dt_s <= longest_phase_in_lanes &&
+         mode.damping_ratio >= least_damping && mode.damping_ratio <= most_damping;
 }
 
 }  // namespace
 
 RoofKind roof_of(const TwoAxisScene& scene) {
-  if (scene.building.horizontal[0].period_s == 0.0) return RoofKind::rigid;
+  if (scene.building.horizontal[0].rigid()) return RoofKind::rigid;
   return scene.building.mass_ratio > 0.0 ? RoofKind::coupled : RoofKind::building;
 }
 
@@ -39,9 +40,9 @@ bool fits_lanes(const TwoAxisScene& scene, const BuildingGround& ground) {
   if (!(block.friction.along > least_friction * std::tan(block.slope_rad) &&
         block.friction.along < most_friction))
     return false;
-  if ((first.period_s == 0.0) != (second.period_s == 0.0)) return false;
+  if (first.rigid() != second.rigid()) return false;
   const double dt_s = ground.horizontal[0]->step_s();
-  if (first.period_s > 0.0 && !(fits_lanes(first, dt_s) && fits_lanes(second, dt_s))) return false;
+  if (!first.rigid() && !(fits_lanes(first, dt_s) && fits_lanes(second, dt_s))) return false;
   for (const Yielding& spring : scene.building.yielding)
     if (spring.yields()) return false;
   return ground.vertical == nullptr || ground.vertical->rigid();
@@ -68,10 +69,10 @@ Constants<double> constants_of(const TwoAxisScene& scene, double tolerance) {
   c.aspect = block.friction.across / block.friction.along;
   c.per_aspect = 1.0 / c.aspect;
   const auto& axes = scene.building.horizontal;
-  c.omega_1 = omega_of(axes[0]);
-  c.omega_2 = omega_of(axes[1]);
-  c.twice_zeta_1 = 2.0 * axes[0].damping_ratio;
-  c.twice_zeta_2 = 2.0 * axes[1].damping_ratio;
+  c.omega_1 = omega_of(axes[0][0]);
+  c.omega_2 = omega_of(axes[1][0]);
+  c.twice_zeta_1 = 2.0 * axes[0][0].damping_ratio;
+  c.twice_zeta_2 = 2.0 * axes[1][0].damping_ratio;
   c.per_mass = 1.0 / (1.0 + r);
   c.omega_rho_1 = rho * c.omega_1;
   c.omega_rho_2 = rho * c.omega_2;

@@ -49,7 +49,7 @@ TwoAxisBlock neighbour_block(const Case& c) {
 
 BiaxialBuilding biaxial_building(const Case& c, const DesignTarget* target) {
   const std::array<Oscillator, 2> axes = building_axes(c);
-  return {.horizontal = axes,
+  return {.horizontal = {axes[0], axes[1]},
           .yielding = {strength_of(c, axes[0].period_s, target),
                        strength_of(c, axes[1].period_s, target)},
           .mass_ratio = c.support == ArraySupport::no_array ? 0.0 : c.mass_ratio};

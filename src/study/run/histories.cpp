@@ -198,7 +198,7 @@ class CoupledHistories : public Histories {
   History alone(double level, std::span<Crossing> crossings) const {
     const auto thresholds_m = crossings.empty() ? std::span<const double>() : scene_.thresholds_m();
     if (is_by_events()) {
-      const CoupledBuilding building{building_.horizontal[0], building_.mass_ratio,
+      const CoupledBuilding building{building_.horizontal[0][0].oscillator(), building_.mass_ratio,
                                      building_.yielding[0]};
       const MotionFactors along{factors(level).horizontal[0], factors(level).vertical};
       const SlipResult slip =

@@ -53,9 +53,9 @@ struct OnBuildingReference {
   using Two = std::array<double, 2>;
 
   double omega(std::size_t k) const {
-    return 2.0 * std::numbers::pi / scene_.building.horizontal[k].period_s;
+    return 2.0 * std::numbers::pi / scene_.building.horizontal[k][0].period_s;
   }
-  bool rigid(std::size_t k) const { return scene_.building.horizontal[k].period_s == 0.0; }
+  bool rigid(std::size_t k) const { return scene_.building.horizontal[k][0].period_s == 0.0; }
   double mu_factor(double speed) const {
     const FrictionLaw& law = scene_.block.law;
     return law.fast_over_slow - (law.fast_over_slow - 1.0) * std::exp(-law.rate_s_per_m * speed);
@@ -86,7 +86,7 @@ struct OnBuildingReference {
           continue;
         }
         // velocity = u' + h/2 (a - ground), a = -2 zeta omega velocity - spring - r force
-        const double o = omega(k), z2 = 2.0 * scene_.building.horizontal[k].damping_ratio * o;
+        const double o = omega(k), z2 = 2.0 * scene_.building.horizontal[k][0].damping_ratio * o;
         const double rest = spring(k, u_[k] + 0.5 * h * middle[k]) + r_ * force[k];
         velocity[k] = (velocity_[k] - 0.5 * h * (rest + ground[k])) / (1.0 + 0.5 * h * z2);
         a[k] = -z2 * velocity[k] - rest;

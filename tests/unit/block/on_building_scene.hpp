@@ -33,7 +33,7 @@ struct OnBuilding {
     };
     dt_s = uniform(0.003, 0.02);
     factor = uniform(0.5, 2.0);
-    for (Oscillator& o : building.horizontal)
+    for (Modes& o : building.horizontal)
       o = {std::exp(uniform(std::log(0.05), std::log(3.0))), uniform(0.01, 0.1)};
     building.mass_ratio = uniform(0.0, 0.5);
     const double mu = uniform(0.05, 0.6);

@@ -25,9 +25,9 @@ struct Draw {
 
 OnBuilding worst(Draw& draw, unsigned seed) {
   OnBuilding scene(draw.random, seed, 100);
-  for (Oscillator& o : scene.building.horizontal) {
+  for (Modes& o : scene.building.horizontal) {
     o = {draw.one_in(5) ? 0.0 : draw.by_size(0.02, 5.0), draw.between(0.02, 0.1)};
-    if (draw.one_in(20)) o.damping_ratio = 1.5;
+    if (draw.one_in(20)) o[0].damping_ratio = 1.5;
   }
   const double mu = draw.by_size(0.05, 2.0);
   scene.block.friction = {mu, draw.one_in(2) ? mu : mu * draw.between(0.5, 1.5)};

@@ -63,7 +63,7 @@ TEST(slide_on_building, is_slide_coupled_where_the_ground_moves_along_the_slope)
       scene.second.clear();
       const double toward = k % 3 == 0 ? -1.0 : 1.0;
       scene.block.azimuth_rad = toward < 0.0 ? std::numbers::pi : 0.0;
-      scene.building.horizontal[1].period_s = k % 2 == 0 ? 0.0 : 0.7;
+      scene.building.horizontal[1][0].period_s = k % 2 == 0 ? 0.0 : 0.7;
       scene.tolerance = tolerance;
       if (k % 5 == 0) scene.building.mass_ratio = 0.0;
       if (k % 7 == 0)
@@ -71,7 +71,7 @@ TEST(slide_on_building, is_slide_coupled_where_the_ground_moves_along_the_slope)
       const BuildingSlip two = scene.result();
       const CoupledResult one = slide_coupled(
           {scene.dt_s, scene.first, scene.up}, {scene.factor, scene.factor},
-          {scene.building.horizontal[0], scene.building.mass_ratio},
+          {scene.building.horizontal[0][0].oscillator(), scene.building.mass_ratio},
           {.friction = scene.block.friction.along, .slope_rad = toward * scene.block.slope_rad});
       EXPECT_EQ(two.slip.free_sliding, one.slip.free_sliding);
       EXPECT_EQ(two.slip.uplift, one.slip.uplift) << k;
@@ -169,7 +169,7 @@ TEST(slide_on_building, scales_exactly_with_all_accelerations_and_with_the_clock
       EXPECT_EQ(two.peak_base_shear, one.peak_base_shear);
       OnBuilding slower = scene;
       slower.dt_s *= 2.0;
-      for (Oscillator& o : slower.building.horizontal) o.period_s *= 2.0;
+      for (Modes& o : slower.building.horizontal) o[0].period_s *= 2.0;
       const BuildingSlip four = slower.result();
       EXPECT_EQ(four.slip.path_length_m, 4.0 * one.slip.path_length_m);
       EXPECT_EQ(four.slip.slip_duration_s, 2.0 * one.slip.slip_duration_s);

@@ -25,7 +25,7 @@ enum class Kind {
 OnBuilding scene_of(Kind kind, std::mt19937& random, unsigned seed) {
   OnBuilding scene(random, seed, 160);
   // Quiet again soon, for the reference.
-  for (Oscillator& o : scene.building.horizontal) o = {std::clamp(o.period_s, 0.2, 1.0), 0.1};
+  for (Modes& o : scene.building.horizontal) o = {std::clamp(o.period_s(), 0.2, 1.0), 0.1};
   const double mu = std::max(scene.block.friction.along, 0.15);
   scene.block.friction = {mu, mu};
   scene.block.slope_rad *= 0.5;
@@ -40,7 +40,7 @@ OnBuilding scene_of(Kind kind, std::mt19937& random, unsigned seed) {
       scene.block.friction.across *= 0.7;
       break;
     case Kind::rigid_across:
-      scene.building.horizontal[1].period_s = 0.0;
+      scene.building.horizontal[1][0].period_s = 0.0;
       break;
     case Kind::yielding:
       scene.building.yielding = {Yielding{2.5, 0.05}, Yielding{2.0, 0.0}};

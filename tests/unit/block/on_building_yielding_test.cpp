@@ -30,7 +30,7 @@ struct Kicked {
     scene.second.clear();
     scene.up.clear();
     scene.building = {{Oscillator{period_s, 0.05}, Oscillator{0.0}}, {}, mass_ratio};
-    scene.building.horizontal[0].damping_ratio = 0.0;
+    scene.building.horizontal[0][0].damping_ratio = 0.0;
     scene.building.yielding[0] = yielding;
     scene.block = {{1e9, 1e9}};
     return scene.result();
@@ -68,7 +68,7 @@ TEST(slide_on_building, a_spring_that_is_strong_enough_is_elastic) {
     const BuildingSlip elastic = scene.result();
     // Without damping forces in the base shear, a spring takes at most the roof's largest way.
     for (std::size_t n = 0; n < 2; ++n) {
-      const double omega = 2.0 * std::numbers::pi / scene.building.horizontal[n].period_s;
+      const double omega = 2.0 * std::numbers::pi / scene.building.horizontal[n][0].period_s;
       scene.building.yielding[n] = {1.0001 * omega * omega * elastic.peak_roof_displacement_m[n],
                                     0.0};
     }
@@ -92,7 +92,7 @@ TEST(slide_on_building, a_plastic_building_isolates_its_roof) {
     OnBuilding scene(seed, 800, 15.0);
     scene.up.clear();
     scene.building.mass_ratio = 0.25;
-    for (Oscillator& o : scene.building.horizontal) o.damping_ratio = 0.0;
+    for (Modes& o : scene.building.horizontal) o[0].damping_ratio = 0.0;
     scene.building.yielding = {Yielding{3.0, 0.0}, Yielding{3.0, 0.0}};
     const double a = 3.0 / 1.25, mu = std::numbers::sqrt2 * a / standard_gravity_mps2;
     scene.block = {{1.001 * mu, 1.001 * mu}};

@@ -30,10 +30,10 @@ constexpr Law all_laws[] = {Law::circle,
 inline OnBuilding truth_scene(std::mt19937& random, Roof roof, Law law, std::size_t samples) {
   const auto seed = static_cast<unsigned>(random() % 1000000);
   OnBuilding scene(random, seed, samples);
-  for (Oscillator& o : scene.building.horizontal) o.period_s = std::max(o.period_s, 8 * scene.dt_s);
+  for (Modes& o : scene.building.horizontal) o[0].period_s = std::max(o.period_s(), 8 * scene.dt_s);
   if (roof == Roof::rigid) scene.building = {};
   if (roof == Roof::uncoupled) scene.building.mass_ratio = 0.0;
-  if (roof == Roof::rigid_across) scene.building.horizontal[1].period_s = 0.0;
+  if (roof == Roof::rigid_across) scene.building.horizontal[1][0].period_s = 0.0;
   if (law == Law::ellipse)
     scene.block.friction.across *= std::uniform_real_distribution<double>(0.6, 1.6)(random);
   if (law == Law::static_friction) scene.block.law.static_over_sliding = 1.3;

@@ -34,7 +34,7 @@ std::vector<TwoAxisScene> made_up_scenes(Kind kind, std::size_t count, unsigned 
   for (std::size_t k = 0; k < count; ++k) {
     TwoAxisScene& s = scenes[k];
     if (kind != Kind::rigid)
-      for (Oscillator& o : s.building.horizontal)
+      for (Modes& o : s.building.horizontal)
         o = {0.2 + 0.3 * static_cast<double>(k / 4 % 4), 0.05};  // four on each building
     if (kind == Kind::coupled) s.building.mass_ratio = 0.02 + 0.04 * static_cast<double>(k / 4 % 3);
     const double mu = uniform(random, 0.05, 0.6);
@@ -191,8 +191,8 @@ TEST(peak_slip_two_axes, what_does_not_fit_the_lanes_is_the_reference) {
   scenes[1].block.law.static_over_sliding = 1.2;
   scenes[2].block.law = {1.0, 1.5, 20.0};
   scenes[3].building.yielding[1] = {2.0, 0.05};
-  scenes[4].building.horizontal[1].period_s = 0.0;
-  scenes[5].building.horizontal[0].period_s = 0.05;
+  scenes[4].building.horizontal[1][0].period_s = 0.0;
+  scenes[5].building.horizontal[0][0].period_s = 0.05;
   scenes[6].block.slope_rad = 0.3;
   const auto expect_reference = [](const BuildingGround& ground,
                                    std::span<const TwoAxisScene> all) {

@@ -134,7 +134,7 @@ std::vector<Case> on_building() {
     std::vector<Crossing> found(thresholds_m.size()), expected(thresholds_m.size());
     scene.result(thresholds_m, found);
     slide_coupled({scene.dt_s, scene.first, scene.up}, {scene.factor, scene.factor},
-                  {scene.building.horizontal[0], scene.building.mass_ratio, {}},
+                  {scene.building.horizontal[0][0].oscillator(), scene.building.mass_ratio, {}},
                   {.friction = scene.block.friction.along, .slope_rad = scene.block.slope_rad},
                   thresholds_m, expected);
     d.add(found, expected);

@@ -58,7 +58,7 @@ Case coupled_one_axis() {
     const SlipResult one =
         slide_coupled(
             {scene.dt_s, scene.first, scene.up}, {scene.factor, scene.factor},
-            {scene.building.horizontal[0], scene.building.mass_ratio, {}},
+            {scene.building.horizontal[0][0].oscillator(), scene.building.mass_ratio, {}},
             {.friction = scene.block.friction.along, .slope_rad = toward * scene.block.slope_rad})
             .slip;
     const double size = one.peak_displacement_m + 1e-4;

@@ -30,7 +30,7 @@ struct Scene {
   }
   bool ellipse() const { return block.friction.along != block.friction.across; }
   bool sloped() const { return block.slope_rad != 0.0; }
-  bool rigid() const { return building.horizontal[0].period_s == 0.0; }
+  bool rigid() const { return building.horizontal[0][0].period_s == 0.0; }
   bool coupled() const { return building.mass_ratio != 0.0; }
 };
 

@@ -70,7 +70,7 @@ Case circling() {
 OnBuilding quiet_scene(std::mt19937& random, unsigned seed) {
   OnBuilding scene(random, seed, 160);
   scene.factor = 2.0;
-  for (Oscillator& o : scene.building.horizontal) o = {std::clamp(o.period_s, 0.2, 1.0), 0.1};
+  for (Modes& o : scene.building.horizontal) o = {std::clamp(o.period_s(), 0.2, 1.0), 0.1};
   const double mu = std::max(scene.block.friction.along, 0.15);
   scene.block.friction = {mu, mu};
   scene.block.slope_rad *= 0.5;
@@ -123,7 +123,7 @@ std::vector<Case> two_axis_other_methods() {
            {"circle of friction", [](OnBuilding&) {}},
            {"ellipse of friction, 0.7", [](OnBuilding& s) { s.block.friction.across *= 0.7; }},
            {"rigid on the second axis",
-            [](OnBuilding& s) { s.building.horizontal[1].period_s = 0.0; }},
+            [](OnBuilding& s) { s.building.horizontal[1][0].period_s = 0.0; }},
            {"static friction 1.3 times that of sliding",
             [](OnBuilding& s) { s.block.law.static_over_sliding = 1.3; }},
            {"friction that grows with speed by half", [](OnBuilding& s) {
