@@ -14,7 +14,6 @@ namespace glissade {
 namespace {
 
 using building_detail::bank_size;
-using building_detail::load;
 using building_detail::OscillatorBank;
 using building_detail::padding;
 
@@ -29,48 +28,61 @@ std::size_t nodes_to(std::size_t end, const GroundTable& ground) {
   return std::max({end + 1, ground.last_sample() + 1, least_nodes});
 }
 
-void resize_states(MotionTable& table, std::size_t nodes) {
-  table.nodes = nodes;
-  table.x.resize(nodes + padding);
-  table.y.resize(nodes + padding);
-}
+double omega_of(const Mode& mode) { return 2.0 * std::numbers::pi / mode.period_s; }
 
-/// Up to bank_size tables with ground and oscillator set.
-void respond(GroundTable& ground, std::span<const RoofMotionOptions> follow,
-             std::span<MotionTable> tables) {
-  OscillatorBank bank;
-  std::array<double*, bank_size> x{}, y{};
-  const auto run = [&](std::size_t from, std::size_t to) {
-    for (std::size_t k = 0; k < tables.size(); ++k) {
-      x[k] = tables[k].x.data();
-      y[k] = tables[k].y.data();
+/// An oscillator of some table, and where its states go.
+struct Responding {
+  Oscillator oscillator;
+  std::vector<double>*x, *y;
+};
+
+/// Takes oscillators from node `from`, where they have states, to node `to`.
+void advance(std::span<const Responding> all, const GroundTable& ground, std::size_t from,
+             std::size_t to) {
+  for (std::size_t first = 0; first < all.size(); first += bank_size) {
+    OscillatorBank bank;
+    std::array<double*, bank_size> x{}, y{};
+    for (std::size_t k = 0; k < std::min(bank_size, all.size() - first); ++k) {
+      const Responding& one = all[first + k];
+      building_detail::load(bank, k, one.oscillator, ground.step_s());
+      bank.x[k] = (*one.x)[from];
+      bank.y[k] = (*one.y)[from];
+      x[k] = one.x->data();
+      y[k] = one.y->data();
     }
     building_detail::advance(bank, ground.acceleration_mps2(), from, to, x.data(), y.data());
-  };
-  const std::size_t quiet = ground.quiet_from();
-  ground.extend(quiet + 1);
-  for (std::size_t k = 0; k < tables.size(); ++k) {
-    load(bank, k, tables[k]);
-    resize_states(tables[k], quiet + 1);
-    tables[k].x[0] = tables[k].y[0] = 0.0;  // at rest
   }
-  run(0, quiet);
+}
 
-  std::size_t most_nodes = 0;
-  for (std::size_t k = 0; k < tables.size(); ++k) {
-    MotionTable& t = tables[k];
-    t.end =
-        quiet + building_detail::ring_down_steps(t.oscillator, t.step_s(), t.x[quiet], t.y[quiet],
-                                                 building_detail::velocity_range_mps(t, quiet),
-                                                 follow[k].quiet_horizontal_mps2, follow[k]);
-    most_nodes = std::max(most_nodes, nodes_to(t.end, ground));
+/// The modes' states, while they are computed.
+struct ModeStates {
+  std::vector<double> x, y;
+};
+
+/// The sum of modes at nodes `from` to `to`.
+void add_up(MotionTable& table, std::span<const ModeStates> states, std::size_t from,
+            std::size_t to) {
+  ModeSum& sum = table.modes;
+  for (std::vector<double>* of : {&table.x, &table.y, &sum.a, &sum.jerk}) {
+    of->resize(to + 1 + padding);
+    std::fill(of->begin() + static_cast<std::ptrdiff_t>(from), of->end(), 0.0);
   }
-  ground.extend(most_nodes + padding);
-  for (MotionTable& table : tables) resize_states(table, most_nodes);
-  if (most_nodes > quiet + 1) run(quiet, most_nodes - 1);
-  for (MotionTable& table : tables) {
-    table.nodes = nodes_to(table.end, ground);
-    building_detail::bound_response(table);
+  const double* ground = table.ground->acceleration_mps2().data();
+  double *u = table.x.data(), *v = table.y.data(), *a = sum.a.data(), *jerk = sum.jerk.data();
+  for (std::size_t n = 0; n < table.building.size(); ++n) {
+    const Mode& mode = table.building[n];
+    const double omega = omega_of(mode), gamma = mode.participation,
+                 twice_zeta = 2.0 * mode.damping_ratio;
+    const double per_u = gamma / (omega * omega), per_v = gamma / omega, per_jerk = gamma * omega;
+    const double *x = states[n].x.data(), *y = states[n].y.data();
+    for (std::size_t i = from; i <= to; ++i) {
+      const double resisting = x[i] + twice_zeta * y[i];
+      u[i] += per_u * x[i];
+      v[i] += per_v * y[i];
+      a[i] -= gamma * resisting;
+      jerk[i] += per_jerk * (twice_zeta * (resisting + ground[i]) - y[i]);
+    }
+    sum.last[n] = {x[to], y[to]};
   }
 }
 
@@ -84,9 +96,12 @@ MotionNodes MotionTable::at_nodes() const {
   n.y_ = y.data();
   n.omega_radps_ = omega_radps;
   n.per_omega_s_ = 1.0 / omega_radps;
-  n.twice_zeta_ = 2.0 * oscillator.damping_ratio;
+  n.twice_zeta_ = 2.0 * building[0].damping_ratio;
   n.quarter_step_s_ = 0.25 * step_s();
   n.five_per_step_ = 5.0 / step_s();
+  if (is_one_mass()) return n;
+  n.modes_ = &modes;
+  n.ground_share_ = building.ground_share();
   return n;
 }
 
@@ -100,12 +115,15 @@ MotionTable tabulate_rigid(std::shared_ptr<GroundTable> ground) {
   return table;
 }
 
-int parts_needed(const Oscillator& oscillator, double dt_s) {
-  if (oscillator.period_s == 0.0) return 0;
-  // Above critical damping the faster of the two rates governs.
-  const double zeta = oscillator.damping_ratio;
-  const double rate = zeta > 1.0 ? zeta + std::sqrt(zeta * zeta - 1.0) : 1.0;
-  const double wanted = nodes_per_period * rate * dt_s / oscillator.period_s;
+int parts_needed(const Modes& building, double dt_s) {
+  if (building.rigid()) return 0;
+  double wanted = 0.0;
+  for (const Mode& mode : building) {
+    // Above critical damping the faster of the two rates governs.
+    const double zeta = mode.damping_ratio;
+    const double rate = zeta > 1.0 ? zeta + std::sqrt(zeta * zeta - 1.0) : 1.0;
+    wanted = std::max(wanted, nodes_per_period * rate * dt_s / mode.period_s);
+  }
   if (wanted > most_parts) return 0;
   int parts = 1;
   while (parts < wanted) parts *= 2;
@@ -113,19 +131,67 @@ int parts_needed(const Oscillator& oscillator, double dt_s) {
 }
 
 void tabulate_responses(const std::shared_ptr<GroundTable>& ground,
-                        std::span<const Oscillator> oscillators,
-                        std::span<const RoofMotionOptions> follow, std::span<MotionTable> tables) {
-  GLISSADE_EXPECTS(follow.size() == oscillators.size() && tables.size() == oscillators.size());
+                        std::span<const Modes> buildings, std::span<const RoofMotionOptions> follow,
+                        std::span<MotionTable> tables) {
+  GLISSADE_EXPECTS(follow.size() == buildings.size() && tables.size() == buildings.size());
+  const std::size_t quiet = ground->quiet_from();
+  ground->extend(quiet + 1);
+  std::vector<std::vector<ModeStates>> states(tables.size());
+  std::vector<Responding> all;
   for (std::size_t k = 0; k < tables.size(); ++k) {
-    GLISSADE_EXPECTS(oscillators[k].period_s > 0.0);
-    tables[k].ground = ground;
-    tables[k].oscillator = oscillators[k];
-    tables[k].omega_radps = 2.0 * std::numbers::pi / oscillators[k].period_s;
+    MotionTable& table = tables[k];
+    GLISSADE_EXPECTS(!buildings[k].rigid());
+    table.ground = ground;
+    table.building = buildings[k];
+    if (table.is_one_mass()) {
+      table.modes = {};
+      table.omega_radps = omega_of(table.building[0]);
+      all.push_back({table.building[0].oscillator(), &table.x, &table.y});
+      continue;
+    }
+    table.omega_radps = 1.0;
+    table.modes.last.resize(table.building.size());
+    states[k].resize(table.building.size());
+    for (std::size_t n = 0; n < table.building.size(); ++n)
+      all.push_back({table.building[n].oscillator(), &states[k][n].x, &states[k][n].y});
   }
-  for (std::size_t first = 0; first < tables.size(); first += bank_size) {
-    const std::size_t count = std::min(bank_size, tables.size() - first);
-    respond(*ground, follow.subspan(first, count), tables.subspan(first, count));
+  const auto resize = [&](std::size_t nodes) {
+    for (const Responding& one : all) {
+      one.x->resize(nodes + padding);
+      one.y->resize(nodes + padding);
+    }
+  };
+  resize(quiet + 1);
+  for (const Responding& one : all) (*one.x)[0] = (*one.y)[0] = 0.0;  // at rest
+  advance(all, *ground, 0, quiet);
+
+  std::size_t most_nodes = 0;
+  for (std::size_t k = 0; k < tables.size(); ++k) {
+    MotionTable& t = tables[k];
+    if (!t.is_one_mass()) add_up(t, states[k], 0, quiet);
+    const std::vector<OscillatorState> now =
+        t.is_one_mass() ? std::vector{OscillatorState{t.x[quiet], t.y[quiet]}} : t.modes.last;
+    t.end = quiet + building_detail::ring_down_steps(t.building, t.step_s(), now,
+                                                     building_detail::velocity_range_mps(t, quiet),
+                                                     follow[k].quiet_horizontal_mps2, follow[k]);
+    most_nodes = std::max(most_nodes, nodes_to(t.end, *ground));
   }
+  ground->extend(most_nodes + padding);
+  resize(most_nodes);
+  if (most_nodes > quiet + 1) advance(all, *ground, quiet, most_nodes - 1);
+  for (std::size_t k = 0; k < tables.size(); ++k) {
+    MotionTable& table = tables[k];
+    table.nodes = nodes_to(table.end, *ground);
+    if (!table.is_one_mass()) add_up(table, states[k], quiet, table.nodes - 1);
+    building_detail::bound_response(table);
+  }
+}
+
+MotionTable tabulate_response(const std::shared_ptr<GroundTable>& ground, const Modes& building,
+                              const RoofMotionOptions& follow) {
+  MotionTable table;
+  tabulate_responses(ground, {&building, 1}, {&follow, 1}, {&table, 1});
+  return table;
 }
 
 namespace {
@@ -170,15 +236,22 @@ void extend(MotionTable& table, std::size_t nodes) {
     table.nodes = nodes;
     return building_detail::bound_ground(table);
   }
-  OscillatorBank bank;
-  load(bank, 0, table);
   const std::size_t last = table.nodes - 1;
-  bank.x[0] = table.x[last];
-  bank.y[0] = table.y[last];
-  resize_states(table, nodes);
-  std::array<double*, bank_size> x{table.x.data()}, y{table.y.data()};
-  building_detail::advance(bank, table.ground->acceleration_mps2(), last, nodes - 1, x.data(),
-                           y.data());
+  std::vector<ModeStates> states(table.is_one_mass() ? 0 : table.building.size());
+  std::vector<Responding> all;
+  if (table.is_one_mass()) all.push_back({table.building[0].oscillator(), &table.x, &table.y});
+  for (std::size_t n = 0; n < states.size(); ++n) {
+    states[n].x.resize(last + 1, table.modes.last[n].x);
+    states[n].y.resize(last + 1, table.modes.last[n].y);
+    all.push_back({table.building[n].oscillator(), &states[n].x, &states[n].y});
+  }
+  for (const Responding& one : all) {
+    one.x->resize(nodes + padding);
+    one.y->resize(nodes + padding);
+  }
+  advance(all, *table.ground, last, nodes - 1);
+  if (!table.is_one_mass()) add_up(table, states, last, nodes - 1);
+  table.nodes = nodes;
   building_detail::bound_response(table);
 }
 

@@ -80,14 +80,16 @@ void Advance(OscillatorBank& bank, const double* ground, std::size_t from, std::
 
 /// Acceleration bounds are those of the quartic's Bernstein coefficients: it stays in their hull.
 /// In an interval where a ranges over r, V leaves its chord by r h / 4 at most.
-ResponsePeaks Bound(const Response& r, float* lowest, float* highest, float* below, float* above,
-                    double* excess) {
+template <bool several>
+ResponsePeaks BoundOf(const Response& r, float* lowest, float* highest, float* below, float* above,
+                      double* excess) {
   const Doubles d;
   const hn::Rebind<float, Doubles> f;
   const std::size_t n = hn::Lanes(d), intervals = r.nodes - 1;
   const Vector twice = hn::Set(d, 2.0 * r.damping_ratio), omega = hn::Set(d, r.omega_radps);
   const Vector per_omega = hn::Set(d, 1.0 / r.omega_radps);
-  const Vector quarter_step = hn::Set(d, 0.25 * r.step_s), quarter = hn::Set(d, 0.25);
+  const Vector quarter_step = hn::Set(d, 0.25 * r.step_s), quarter = hn::Set(d, 0.25),
+               half = hn::Set(d, 0.5);
   const Vector five_per_step = hn::Set(d, 5.0 / r.step_s);
   const Vector a_scale = hn::Set(d, r.acceleration_scale), v_scale = hn::Set(d, r.velocity_scale);
   // Rounding to single precision moves a number by 2^-24 of it; these move it back past where it
@@ -96,29 +98,46 @@ ResponsePeaks Bound(const Response& r, float* lowest, float* highest, float* bel
   const auto widen = [&](auto value) { return hn::Add(hn::Mul(hn::Abs(value), slack), least); };
   Vector largest_a = hn::Zero(d), largest_v = hn::Zero(d);
 
+  const Vector share = hn::Set(d, r.ground_share), moving = hn::Set(d, 1.0 - r.ground_share);
   struct Node {
-    Vector a, jerk, v;
+    Vector a, jerk, v;  // several: but for what moves with the ground
+    Vector ground;      // that; one mass: not read
+    Vector velocity;    // of the roof
   };
   const auto node = [&](std::size_t i) {
+    if constexpr (several) {
+      const Vector v = hn::LoadU(d, r.y + i), ground_v = hn::LoadU(d, r.ground_mps + i);
+      return Node{hn::LoadU(d, r.a + i), hn::LoadU(d, r.jerk + i),
+                  hn::Add(hn::Mul(moving, ground_v), v),
+                  hn::Mul(share, hn::LoadU(d, r.ground_mps2 + i)), hn::Add(ground_v, v)};
+    }
     const Vector x = hn::LoadU(d, r.x + i), y = hn::LoadU(d, r.y + i);
     const Vector resisting = hn::Add(x, hn::Mul(twice, y));
     const Vector ground = hn::LoadU(d, r.ground_mps2 + i);
     const Vector jerk = hn::Mul(omega, hn::Sub(hn::Mul(twice, hn::Add(resisting, ground)), y));
-    return Node{hn::Neg(resisting), jerk,
-                hn::Add(hn::LoadU(d, r.ground_mps + i), hn::Mul(y, per_omega))};
+    const Vector v = hn::Add(hn::LoadU(d, r.ground_mps + i), hn::Mul(y, per_omega));
+    return Node{hn::Neg(resisting), jerk, v, v, v};
   };
   // The last vector starts early enough to end with the last interval.
   for (std::size_t i = 0; i < intervals; i += n) {
     if (i + n > intervals) i = intervals > n ? intervals - n : 0;
-    const Node p = node(i), q = node(i + 1);
-    const Vector b1 = hn::Add(p.a, hn::Mul(quarter_step, p.jerk));
-    const Vector b3 = hn::Sub(q.a, hn::Mul(quarter_step, q.jerk));
-    const Vector b2 = hn::Sub(hn::Mul(five_per_step, hn::Sub(q.v, p.v)),
-                              hn::Add(hn::Add(p.a, q.a), hn::Add(b1, b3)));
+    Node p = node(i), q = node(i + 1);
+    Vector b1 = hn::Add(p.a, hn::Mul(quarter_step, p.jerk));
+    Vector b3 = hn::Sub(q.a, hn::Mul(quarter_step, q.jerk));
+    Vector b2 = hn::Sub(hn::Mul(five_per_step, hn::Sub(q.v, p.v)),
+                        hn::Add(hn::Add(p.a, q.a), hn::Add(b1, b3)));
+    if constexpr (several) {  // a line, in Bernstein form
+      const Vector rise = hn::Mul(quarter, hn::Sub(q.ground, p.ground));
+      b1 = hn::Add(b1, hn::Add(p.ground, rise));
+      b2 = hn::Add(b2, hn::Mul(half, hn::Add(p.ground, q.ground)));
+      b3 = hn::Add(b3, hn::Sub(q.ground, rise));
+      p.a = hn::Add(p.a, p.ground);
+      q.a = hn::Add(q.a, q.ground);
+    }
     const Vector low = hn::Min(hn::Min(p.a, q.a), hn::Min(b1, hn::Min(b2, b3)));
     const Vector high = hn::Max(hn::Max(p.a, q.a), hn::Max(b1, hn::Max(b2, b3)));
     largest_a = hn::Max(largest_a, hn::Max(high, hn::Neg(low)));
-    largest_v = hn::Max(largest_v, hn::Max(hn::Abs(p.v), hn::Abs(q.v)));
+    largest_v = hn::Max(largest_v, hn::Max(hn::Abs(p.velocity), hn::Abs(q.velocity)));
     const auto low_f = hn::DemoteTo(f, hn::Mul(low, a_scale));
     const auto high_f = hn::DemoteTo(f, hn::Mul(high, a_scale));
     hn::StoreU(hn::Sub(low_f, widen(low_f)), f, lowest + i);
@@ -138,6 +157,12 @@ ResponsePeaks Bound(const Response& r, float* lowest, float* highest, float* bel
     hn::StoreU(hn::Add(above_f, widen(above_f)), f, above + i);
   }
   return {hn::GetLane(hn::MaxOfLanes(d, largest_a)), hn::GetLane(hn::MaxOfLanes(d, largest_v))};
+}
+
+ResponsePeaks Bound(const Response& r, float* lowest, float* highest, float* below, float* above,
+                    double* excess) {
+  return r.a != nullptr ? BoundOf<true>(r, lowest, highest, below, above, excess)
+                        : BoundOf<false>(r, lowest, highest, below, above, excess);
 }
 
 /// Extremes of the bounds by tile.
@@ -186,6 +211,7 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "glissade/core/oscillator.hpp"
 #include "glissade/core/scale.hpp"
@@ -228,9 +254,9 @@ float above(double value) { return -below(-value); }
 
 }  // namespace
 
-void load(OscillatorBank& bank, std::size_t lane, const MotionTable& table) {
-  const OscillatorStep step =
-      oscillator_step(table.omega_radps * table.step_s(), table.oscillator.damping_ratio);
+void load(OscillatorBank& bank, std::size_t lane, const Oscillator& oscillator, double step_s) {
+  const double omega_radps = 2.0 * std::numbers::pi / oscillator.period_s;
+  const OscillatorStep step = oscillator_step(omega_radps * step_s, oscillator.damping_ratio);
   bank.xx[lane] = step.xx;
   bank.xy[lane] = step.xy;
   bank.yy[lane] = step.yy;
@@ -256,10 +282,13 @@ void bound_response(MotionTable& table) {
   // Room for whole vectors, whatever the target's width.
   thread_local std::vector<double> excess;
   excess.assign(table.nodes + 2 + padding, 0.0);
+  const bool several = !table.is_one_mass();
   const auto found = HWY_DYNAMIC_DISPATCH(Bound)(
       {table.x.data(), table.y.data(), table.ground->acceleration_mps2().data(),
-       table.ground->velocity_mps().data(), table.omega_radps, table.oscillator.damping_ratio,
-       table.step_s(), b.acceleration_scale, b.velocity_scale, table.nodes},
+       table.ground->velocity_mps().data(), table.omega_radps, table.building[0].damping_ratio,
+       table.step_s(), b.acceleration_scale, b.velocity_scale, table.nodes,
+       several ? table.modes.a.data() : nullptr, several ? table.modes.jerk.data() : nullptr,
+       several ? table.building.ground_share() : 0.0},
       b.lowest.data(), b.highest.data(), b.velocity_below.data(), b.velocity_above.data(),
       excess.data());
   table.acceleration_bound_mps2 = found.peak_acceleration;

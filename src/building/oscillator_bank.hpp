@@ -23,8 +23,8 @@ struct OscillatorBank {
   alignas(64) double x[bank_size] = {}, y[bank_size] = {};
 };
 
-/// Puts the table's oscillator, at rest, into a lane.
-void load(OscillatorBank& bank, std::size_t lane, const MotionTable& table);
+/// Puts an oscillator, at rest, into a lane.
+void load(OscillatorBank& bank, std::size_t lane, const Oscillator& oscillator, double step_s);
 
 /// Steps all oscillators from node `from` to node `to` of the ground, and writes the states at
 /// nodes from + 1 ... to at x[oscillator][node], y[oscillator][node].
@@ -36,6 +36,8 @@ struct Response {
   const double *x, *y, *ground_mps2, *ground_mps;
   double omega_radps, damping_ratio, step_s, acceleration_scale, velocity_scale;
   std::size_t nodes;
+  const double *a = nullptr, *jerk = nullptr;  ///< of several modes (ModeSum)
+  double ground_share = 0.0;
 };
 
 struct ResponsePeaks {

@@ -2,8 +2,9 @@
 #pragma once
 
 #include <cstddef>
+#include <span>
 
-#include "glissade/building/roof_motion.hpp"
+#include "glissade/building/motion_table.hpp"
 
 namespace glissade::building_detail {
 
@@ -14,13 +15,14 @@ constexpr std::size_t most_steps = std::size_t{1} << 25;
 /// @throw InputError if a motion has more than most_steps
 void require_steps(double steps, double step_s);
 
-/// Length of the ring-down after the ground has come to rest, in time steps.
-/// @param x, y its scaled state then (core/oscillator.hpp)
+/// Length of the ring-down after the ground has come to rest, in time steps. Of several modes: by
+/// the sum of their bounds.
+/// @param states of each mode then
 /// @param velocity_range_mps largest minus smallest velocity of the roof until then, from rest: an
 /// upper bound of the velocity of a sliding block
 /// @throw InputError if they are more than most_steps
-std::size_t ring_down_steps(const Oscillator& oscillator, double step_s, double x, double y,
-                            double velocity_range_mps, double quiet_mps2,
-                            const RoofMotionOptions& options);
+std::size_t ring_down_steps(const Modes& building, double step_s,
+                            std::span<const OscillatorState> states, double velocity_range_mps,
+                            double quiet_mps2, const RoofMotionOptions& options);
 
 }  // namespace glissade::building_detail

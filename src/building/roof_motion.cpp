@@ -2,6 +2,7 @@
 #include "glissade/building/roof_motion.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -79,8 +80,9 @@ std::vector<double> oscillator_response(const Oscillator& oscillator, double dt_
   for_each_piece(ground, rings, parts, advance);
   if (rings) {
     const double step_s = dt_s / parts;
-    const std::size_t steps = building_detail::ring_down_steps(
-        oscillator, step_s, x, y, velocity_range(roof, step_s), quiet_mps2, options);
+    const std::size_t steps =
+        building_detail::ring_down_steps(oscillator, step_s, std::array{OscillatorState{x, y}},
+                                         velocity_range(roof, step_s), quiet_mps2, options);
     for (std::size_t left = steps; left > 0; --left) advance(0.0, 0.0);
   }
   return roof;

@@ -14,9 +14,7 @@ std::shared_ptr<MotionTable> tabulate(const Oscillator& oscillator, double dt_s,
   const auto ground = std::make_shared<GroundTable>(dt_s, ground_mps2, parts);
   if (parts_needed(oscillator, dt_s) == 0)
     return std::make_shared<MotionTable>(tabulate_rigid(ground));
-  auto table = std::make_shared<MotionTable>();
-  tabulate_responses(ground, {&oscillator, 1}, {&follow, 1}, {table.get(), 1});
-  return table;
+  return std::make_shared<MotionTable>(tabulate_response(ground, oscillator, follow));
 }
 
 }  // namespace

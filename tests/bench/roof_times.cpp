@@ -31,7 +31,7 @@ double per_node_and_oscillator_ns(Run run) {
 
 RoofTimes roof_times() {
   const auto ground = std::make_shared<GroundTable>(0.005, test::made_up_record(samples, 3, 4.0));
-  std::vector<Oscillator> oscillators;
+  std::vector<Modes> oscillators;
   for (std::size_t k = 0; k < bank_size; ++k)
     oscillators.push_back({0.2 + 0.1 * static_cast<double>(k), 0.05});
   const std::vector<RoofMotionOptions> follow(bank_size);  // not beyond the record
@@ -48,7 +48,8 @@ RoofTimes roof_times() {
     y[k] = tables[k].y.data();
   }
   building_detail::OscillatorBank bank;
-  for (std::size_t k = 0; k < bank_size; ++k) building_detail::load(bank, k, tables[k]);
+  for (std::size_t k = 0; k < bank_size; ++k)
+    building_detail::load(bank, k, oscillators[k][0].oscillator(), ground->step_s());
   times.filter_ns = per_node_and_oscillator_ns([&] {
     building_detail::advance(bank, ground->acceleration_mps2(), 0, samples - 1, x.data(), y.data());
   });

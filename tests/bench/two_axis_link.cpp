@@ -79,8 +79,8 @@ class LinkOnBuilding {
   }
 
  private:
-  static double omega(const Oscillator& oscillator) {
-    return oscillator.period_s == 0.0 ? 0.0 : 2.0 * std::numbers::pi / oscillator.period_s;
+  static double omega(const Modes& one_mass) {
+    return one_mass.rigid() ? 0.0 : 2.0 * std::numbers::pi / one_mass.period_s();
   }
   Vector to_slope(Vector p) const {
     return {fall_.x * p.x + fall_.y * p.y, fall_.x * p.y - fall_.y * p.x};

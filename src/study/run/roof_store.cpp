@@ -125,9 +125,8 @@ std::shared_ptr<MotionTable> RoofStore::vertical(const Case& c, int parts) {
     const double factor = plan_.config.intensity.measure == IntensityMeasure::ppa_g
                               ? 50.0 * standard_gravity_mps2 / pga
                               : plan_.factor_at_unit_level[record_];
-    const RoofMotionOptions options = for_vertical(follow(least_of_all(), factor));
-    table = std::make_shared<MotionTable>();
-    tabulate_responses(up, {&oscillator, 1}, {&options, 1}, {table.get(), 1});
+    table = std::make_shared<MotionTable>(
+        tabulate_response(up, oscillator, for_vertical(follow(least_of_all(), factor))));
   }
   return table;
 }

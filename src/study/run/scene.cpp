@@ -52,14 +52,8 @@ BuildingGround building_ground(const Motion& motion, const Oscillator& vertical,
       {tabulated(motion.horizontal_mps2[0]), tabulated(motion.horizontal_mps2[1])}, nullptr};
   const std::shared_ptr<GroundTable> up = tabulated(motion.vertical_mps2);
   if (!up) return ground;
-  const auto table = std::make_shared<MotionTable>();
-  if (own_parts == 0) {
-    *table = tabulate_rigid(up);
-  } else {
-    const RoofMotionOptions options = for_vertical(follow);
-    tabulate_responses(up, {&vertical, 1}, {&options, 1}, {table.get(), 1});
-  }
-  ground.vertical = table;
+  ground.vertical = std::make_shared<MotionTable>(
+      own_parts == 0 ? tabulate_rigid(up) : tabulate_response(up, vertical, for_vertical(follow)));
   return ground;
 }
 

@@ -52,8 +52,7 @@ struct OnBuilding {
     if (vertical.period_s == 0.0) {
       table = tabulate_rigid(lifts);
     } else {
-      const RoofMotionOptions follow[] = {for_vertical({.quiet_vertical_mps2 = 1e-6})};
-      tabulate_responses(lifts, {&vertical, 1}, follow, {&table, 1});
+      table = tabulate_response(lifts, vertical, for_vertical({.quiet_vertical_mps2 = 1e-6}));
     }
     g.vertical = std::make_shared<const MotionTable>(std::move(table));
     return g;

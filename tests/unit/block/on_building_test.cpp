@@ -236,9 +236,9 @@ TEST(slide_on_building, rests_at_critical_friction_and_slides_freely_beyond) {
     scene.block.friction = {0.9 * mu, mu};
     const TwoAxisResult r = scene.result().slip;
     EXPECT_TRUE(r.free_sliding);
-    const CoupledResult one =
-        slide_coupled({scene.dt_s, scene.first}, {}, {scene.building.horizontal[0], 0.3},
-                      {.friction = 0.9 * mu, .slope_rad = slope});
+    const CoupledResult one = slide_coupled({scene.dt_s, scene.first}, {},
+                                            {scene.building.horizontal[0][0].oscillator(), 0.3},
+                                            {.friction = 0.9 * mu, .slope_rad = slope});
     EXPECT_NEAR(r.residual.along_m, one.slip.residual_displacement_m,
                 1e-7 * one.slip.residual_displacement_m);
   }
@@ -249,8 +249,9 @@ TEST(slide_on_building, without_friction_the_building_is_not_affected_by_a_block
   scene.second.clear();
   scene.block = {};
   const BuildingSlip two = scene.result();
-  const CoupledResult one = slide_coupled({scene.dt_s, scene.first, scene.up}, {},
-                                          {scene.building.horizontal[0], 0.0}, {.friction = 0.0});
+  const CoupledResult one =
+      slide_coupled({scene.dt_s, scene.first, scene.up}, {},
+                    {scene.building.horizontal[0][0].oscillator(), 0.0}, {.friction = 0.0});
   EXPECT_TRUE(two.slip.free_sliding);
   EXPECT_NEAR(two.slip.residual.along_m, one.slip.residual_displacement_m,
               1e-6 * one.slip.peak_displacement_m);

@@ -18,7 +18,7 @@ using test::made_up_record;
 std::vector<double> everything() {
   const auto a = made_up_record(777, 21, 6.0), w = made_up_record(777, 22, 4.0);
   const auto ground = std::make_shared<GroundTable>(0.01, a);
-  std::vector<Oscillator> oscillators;
+  std::vector<Modes> oscillators;
   for (int k = 0; k < 21; ++k) oscillators.push_back({0.17 + 0.11 * k, 0.01 + 0.01 * k});
   const std::vector<RoofMotionOptions> follow(oscillators.size(), {.quiet_horizontal_mps2 = 0.05});
   std::vector<MotionTable> tables(oscillators.size());

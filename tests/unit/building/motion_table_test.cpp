@@ -16,13 +16,12 @@ namespace {
 using test::made_up_record;
 using Real = boost::multiprecision::cpp_bin_float_50;
 
-MotionTable response(const std::vector<double>& a, double dt_s, const Oscillator& oscillator,
+MotionTable response(const std::vector<double>& a, double dt_s, const Modes& building,
                      const RoofMotionOptions& follow = {}) {
   const auto ground =
-      std::make_shared<GroundTable>(dt_s, a, std::max(1, parts_needed(oscillator, dt_s)));
-  MotionTable table;
-  tabulate_responses(ground, {&oscillator, 1}, {&follow, 1}, {&table, 1});
-  return table;
+      std::make_shared<GroundTable>(dt_s, a, std::max(1, parts_needed(building, dt_s)));
+  if (building.rigid()) return tabulate_rigid(ground);
+  return tabulate_response(ground, building, follow);
 }
 
 TEST(ground_table, integrates_to_fifty_digits_however_far_it_drifts) {
@@ -89,7 +88,7 @@ TEST(motion_table, has_the_roof_s_acceleration_velocity_and_displacement_at_its_
 TEST(motion_table, has_the_same_bits_alone_and_among_others) {
   const auto a = made_up_record(500, 6, 4.0);
   const auto ground = std::make_shared<GroundTable>(0.01, a);
-  std::vector<Oscillator> oscillators;
+  std::vector<Modes> oscillators;
   for (int k = 0; k < 37; ++k) oscillators.push_back({0.2 + 0.05 * k, 0.03});
   const std::vector<RoofMotionOptions> follow(37, {.quiet_horizontal_mps2 = 0.01});
   std::vector<MotionTable> together(37);
@@ -111,12 +110,71 @@ double value(const Quartic& q, double y) {
          4 * q.b[3] * y * y * y * z + q.b[4] * y * y * y * y;
 }
 
+/// Their participations are 0.9 together: a tenth of the roof's motion is the ground's.
+Modes three_modes() {
+  return Modes(std::array{Mode{0.6, 1.3, 0.8, 0.05}, Mode{0.2, -0.6, 0.12, 0.03},
+                          Mode{0.11, 0.2, 0.05, 0.02}});
+}
+
+TEST(motion_table, of_modes_is_the_sum_of_theirs) {
+  const auto a = made_up_record(700, 12, 4.0);
+  const auto ground = std::make_shared<GroundTable>(0.01, a, 4);
+  const MotionTable sum = tabulate_response(ground, three_modes(), {.quiet_horizontal_mps2 = 0.01});
+  std::vector<MotionTable> each;
+  for (const Mode& mode : three_modes()) {
+    each.push_back(tabulate_response(ground, mode.oscillator(), {}));
+    extend(each.back(), sum.nodes);
+  }
+  const MotionTable rigid = [&] {
+    MotionTable table = tabulate_rigid(ground);
+    extend(table, sum.nodes);
+    return table;
+  }();
+  const auto summed = [&](auto quantity) {
+    double total = three_modes().ground_share() * quantity(rigid.at_nodes());
+    for (std::size_t n = 0; n < each.size(); ++n)
+      total += three_modes()[n].participation * quantity(each[n].at_nodes());
+    return total;
+  };
+  for (std::size_t i = 3; i < sum.end; ++i) {
+    const auto expect_sum = [&](auto quantity, double rounding) {
+      EXPECT_NEAR(quantity(sum.at_nodes()), summed(quantity), rounding) << i;
+    };
+    expect_sum([&](const MotionNodes& at) { return at.acceleration_mps2(i); }, 1e-13);
+    expect_sum([&](const MotionNodes& at) { return at.velocity_mps(i); }, 1e-13);
+    expect_sum([&](const MotionNodes& at) { return at.displacement_from_m(3, i); }, 1e-12);
+    for (const double y : {0.2, 0.5, 0.9})
+      expect_sum([&](const MotionNodes& at) { return value(at.acceleration_after(i), y); }, 1e-10);
+  }
+}
+
+// One mass is the mode of participation 1; its table and its history have the same bits.
+TEST(motion_table, of_one_mode_that_is_all_of_the_building_is_that_of_one_mass) {
+  const auto a = made_up_record(300, 13, 4.0);
+  const MotionTable mass = response(a, 0.01, {0.4, 0.03}),
+                    mode = response(a, 0.01, Modes(std::array{Mode{0.4, 1.0, 1.0, 0.03}}));
+  EXPECT_EQ(mass.x, mode.x);
+  EXPECT_EQ(mass.bounds.lowest, mode.bounds.lowest);
+}
+
+// The whole sum rings until its modes' bounds are together below what can start a block.
+TEST(motion_table, of_modes_rings_until_none_of_it_can_start_a_block) {
+  const auto a = made_up_record(300, 14, 4.0);
+  const MotionTable ended = response(a, 0.01, three_modes(), {.quiet_horizontal_mps2 = 0.05});
+  const MotionTable longer = response(a, 0.01, three_modes(), {.quiet_horizontal_mps2 = 1e-6});
+  ASSERT_GT(longer.end, ended.end);
+  for (std::size_t i = ended.end; i < longer.end; ++i)
+    ASSERT_LE(std::abs(longer.at_nodes().acceleration_mps2(i)), 0.05);
+  double last = 0.0;  // and not much longer
+  for (std::size_t i = ended.end - 200; i < ended.end; ++i)
+    last = std::max(last, std::abs(ended.at_nodes().acceleration_mps2(i)));
+  EXPECT_GT(last, 0.02);
+}
+
 TEST(motion_table, bounds_the_acceleration_and_the_velocity_s_chord_everywhere) {
   const auto a = made_up_record(700, 7, 4.0);
-  for (const double period : {0.0, 0.17, 0.5}) {
-    const RoofTable roof =
-        tabulate_roof({0.01, a}, {.horizontal = {period, 0.05}}, {.quiet_horizontal_mps2 = 0.01});
-    const MotionTable& t = *roof.horizontal;
+  for (const Modes& building : {Modes(), Modes(0.17, 0.05), Modes(0.5, 0.05), three_modes()}) {
+    const MotionTable t = response(a, 0.01, building, {.quiet_horizontal_mps2 = 0.01});
     const MotionNodes at = t.at_nodes();
     const MotionBounds& b = t.bounds;
     double peak = 0;
@@ -150,12 +208,15 @@ TEST(motion_table, bounds_the_acceleration_and_the_velocity_s_chord_everywhere) 
 
 TEST(motion_table, rings_on_where_it_is_extended) {
   const auto a = made_up_record(300, 8, 4.0);
-  MotionTable shorter = response(a, 0.01, {0.4, 0.02});
-  const MotionTable longer = response(a, 0.01, {0.4, 0.02}, {.quiet_horizontal_mps2 = 1e-3});
-  ASSERT_GT(longer.nodes, shorter.nodes + 100);
-  extend(shorter, longer.nodes);
-  EXPECT_EQ(shorter.x, longer.x);
-  EXPECT_EQ(shorter.bounds.lowest, longer.bounds.lowest);
+  for (const Modes& building : {Modes(0.4, 0.02), three_modes()}) {
+    MotionTable shorter = response(a, 0.01, building);
+    const MotionTable longer = response(a, 0.01, building, {.quiet_horizontal_mps2 = 1e-3});
+    ASSERT_GT(longer.nodes, shorter.nodes + 100);
+    extend(shorter, longer.nodes);
+    EXPECT_EQ(shorter.x, longer.x);
+    EXPECT_EQ(shorter.modes.a, longer.modes.a);
+    EXPECT_EQ(shorter.bounds.lowest, longer.bounds.lowest);
+  }
 }
 
 // T from far below the step to far above the record, damping from none to far beyond critical.

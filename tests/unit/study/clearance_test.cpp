@@ -185,10 +185,8 @@ TEST(clearance, friction_that_is_drawn_counts_at_its_design_value) {
 /// max |a| of an oscillator's roof, by its own exact steps.
 double roof_peak_mps2(const Motion& motion, std::size_t component, const Oscillator& oscillator) {
   auto ground = std::make_shared<GroundTable>(motion.dt_s, motion.horizontal_mps2[component]);
-  const RoofMotionOptions follow{.quiet_horizontal_mps2 = 1e-3};
-  MotionTable table;
-  tabulate_responses(ground, {&oscillator, 1}, {&follow, 1}, {&table, 1});
-  return peak_acceleration_mps2(table);
+  return peak_acceleration_mps2(
+      tabulate_response(ground, oscillator, {.quiet_horizontal_mps2 = 1e-3}));
 }
 
 TEST(clearance, an_anchored_array_adds_its_mass_and_nothing_else) {
