@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "glissade/building/modes.hpp"
 
+#include <fmt/format.h>
+
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <boost/math/quadrature/gauss.hpp>
@@ -15,7 +17,7 @@
 namespace glissade {
 namespace {
 
-constexpr double mass_wanted = 0.95, shortest_period_s = 0.05;
+constexpr double mass_wanted = 0.95;
 
 /// A mode shape over the height, 0 to 1: with beta^2 = alpha^2 + gamma^2 a sum of a harmonic and
 /// of exponentials from either end, so that nothing large cancels.
@@ -141,7 +143,7 @@ std::vector<Mode> governing_modes(std::span<const Mode> modes) {
   double mass = 0.0;
   for (const Mode& mode : modes) {
     if (governing.size() == most_modes || mass >= mass_wanted) break;
-    if (!governing.empty() && mode.period_s < shortest_period_s) break;
+    if (!governing.empty() && mode.period_s < shortest_governing_period_s) break;
     governing.push_back(mode);
     mass += mode.mass_share;
   }
@@ -152,6 +154,23 @@ double mass_of(std::span<const Mode> modes) {
   double mass = 0.0;
   for (const Mode& mode : modes) mass += mode.mass_share;
   return mass;
+}
+
+std::vector<std::string> improbable_modes(std::span<const Mode> modes) {
+  constexpr double least_mass = 0.9 - 1e-9, most_left = 0.25;
+  std::vector<std::string> sentences;
+  double participation = 0.0;
+  for (const Mode& mode : modes) participation += mode.participation;
+  if (mass_of(modes) < least_mass)
+    sentences.push_back(
+        fmt::format("the modes carry {:.0f} % of the mass: below 90 % modes are missing",
+                    100 * mass_of(modes)));
+  if (std::abs(participation - 1.0) > most_left)
+    sentences.push_back(
+        fmt::format("the participations are {:.3g} together, far from 1: modes are missing, or "
+                    "they are not those at the array",
+                    participation));
+  return sentences;
 }
 
 }  // namespace glissade

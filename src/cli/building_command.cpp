@@ -93,19 +93,7 @@ FloorAccelerations roof_acceleration(const std::vector<Mode>& modes,
 }
 
 std::vector<std::string> warnings_on(const BuildingOptions& o, const std::vector<Mode>& modes) {
-  constexpr double least_mass = 0.9 - 1e-9, most_left = 0.25;
-  std::vector<std::string> warnings;
-  double participation = 0.0;
-  for (const Mode& mode : modes) participation += mode.participation;
-  if (mass_of(modes) < least_mass)
-    warnings.push_back(
-        fmt::format("the modes carry {:.0f} % of the mass: below 90 % modes are missing",
-                    100 * mass_of(modes)));
-  if (std::abs(participation - 1.0) > most_left)
-    warnings.push_back(
-        fmt::format("the participations are {:.3g} together, far from 1: modes are missing, or "
-                    "they are not those at the array",
-                    participation));
+  std::vector<std::string> warnings = improbable_modes(modes);
   constexpr double shortest_s = 0.01, longest_s = 30.0;
   const double first_s = modes.front().period_s;
   if (!(first_s >= shortest_s && first_s < longest_s))

@@ -5,6 +5,7 @@
 #include <compare>
 #include <cstddef>
 #include <span>
+#include <string>
 #include <vector>
 
 namespace glissade {
@@ -90,11 +91,18 @@ std::vector<Mode> cantilever_modes(double period_s, double alpha, std::size_t co
 std::vector<Mode> shear_building_modes(std::span<const double> masses,
                                        std::span<const double> stiffnesses);
 
+/// Modes after the first of shorter periods are not governing.
+inline constexpr double shortest_governing_period_s = 0.05;
+
 /// As many of them as carry 95 % of the mass, without those below 0.05 s after the first, at most
 /// six. Modes that are left out move with the ground.
 std::vector<Mode> governing_modes(std::span<const Mode> modes);
 
 /// Sum of the mass shares.
 double mass_of(std::span<const Mode> modes);
+
+/// Sentences on modes along one axis that are possible and not probable: too little mass, or
+/// participations that are not those at a roof.
+std::vector<std::string> improbable_modes(std::span<const Mode> modes);
 
 }  // namespace glissade

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "glissade/building/building_model.hpp"
 #include "glissade/core/units.hpp"
 #include "glissade/motion/design_spectrum.hpp"
 #include "glissade/sampling/distribution.hpp"
@@ -141,6 +142,7 @@ struct StudyConfig : Analyses::InStudy {
   IntensityConfig intensity;
   ModelConfig model;
   Quantities quantities;
+  BuildingModel building;
   std::vector<ArraySupport> support = {ArraySupport::isolated};
   std::vector<VerticalChoice> vertical = {VerticalChoice::if_available};
   FrictionConfig friction;

@@ -159,8 +159,8 @@ void check_coupling(bool is_regular) {
 SlideHistory on_coupled_building(const SlideOptions& o, const Motion& motion, double factor) {
   const Block block = block_of(o);
   check_coupling(coupling_is_regular(block, o.c.mass_ratio));
-  const CoupledBuilding building{building_axes(o.c)[0], o.c.mass_ratio,
-                                 strength_of(o.c, o.c.period_s, nullptr)};
+  const CoupledBuilding building{
+      {o.c.period_s, o.c.damping}, o.c.mass_ratio, strength_of(o.c, o.c.period_s, nullptr)};
   const GroundMotion ground = ground_of(motion);
   const MotionFactors factors{factor, factor};
   std::vector<CoupledPoint> points;
@@ -188,7 +188,7 @@ SlideHistory on_coupled_building(const SlideOptions& o, const Motion& motion, do
 /// Two axes, or a law of friction that only the full model has.
 SlideHistory in_full_model(const SlideOptions& o, const Motion& motion, double factor) {
   const TwoAxisBlock block = two_axis_block(o.c);
-  const BiaxialBuilding building = biaxial_building(o.c, nullptr);
+  const BiaxialBuilding building = biaxial_building(o.c, {}, nullptr);
   check_coupling(coupling_is_regular(block, building));
   const Block weakest{.friction = std::min(block.friction.along, block.friction.across),
                       .slope_rad = block.slope_rad};

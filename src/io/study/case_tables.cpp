@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "study/case_tables.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <bit>
 #include <limits>
@@ -36,6 +38,129 @@ void check_strength(const TomlTable& table, const StudyConfig& study) {
   }
 }
 
+constexpr NumberRule above_zero_share{"above 0 and at most 1",
+                                      [](double x) { return x > 0.0 && x <= 1.0; }};
+
+/// The modes of the engineer's own model along an axis, their periods over the first.
+/// @return the first period
+double read_modes(const TomlTable& building, const char* key, std::vector<Mode>& modes,
+                  bool& has_own_damping) {
+  double first_s = 0.0;
+  std::size_t with_damping = 0;
+  for (const TomlTable& row : building.tables(key)) {
+    Mode mode{row.required_number("period_s", above_zero), row.required_number("participation"),
+              row.required_number("mass_share", above_zero_share)};
+    if (const auto damping = row.number("damping", not_negative)) {
+      mode.damping_ratio = *damping;
+      ++with_damping;
+    }
+    if (modes.empty()) first_s = mode.period_s;
+    if (!modes.empty() && !(mode.period_s < modes.back().period_s))
+      row.report("period_s", building.name_of(key) + ": periods must fall from mode to mode",
+                 "list the modes of one axis, the longest period first");
+    modes.push_back(mode);
+  }
+  if (modes.empty())
+    building.report(key, building.name_of(key) + " is empty", "give one mode at least");
+  if (modes.size() > most_modes)
+    building.report(key, building.name_of(key) + " has " + std::to_string(modes.size()) + " modes",
+                    "give those with the largest mass shares, six at most: modes that are left out "
+                    "move with the ground");
+  constexpr double rounding = 1e-3;  // of shares with a few digits
+  if (mass_of(modes) > 1.0 + rounding)
+    building.report(key,
+                    fmt::format("{}: the mass shares are {:.4g} together, more than 1",
+                                building.name_of(key), mass_of(modes)),
+                    "give those of one axis, each as a fraction of the building's mass");
+  if (with_damping > 0 && with_damping < modes.size())
+    building.report(key, building.name_of(key) + ": some modes have a damping and some have none",
+                    "give each mode its own, or none and building.damping");
+  has_own_damping = with_damping > 0;
+  for (Mode& mode : modes) mode.period_s /= first_s;
+  return first_s;
+}
+
+std::vector<Mode> read_storeys(const TomlTable& building) {
+  const auto count = building.whole("storeys", 1, 200);
+  auto masses = building.numbers("storey_masses", above_zero),
+       stiffnesses = building.numbers("storey_stiffnesses", above_zero);
+  const std::size_t storeys = count         ? static_cast<std::size_t>(*count)
+                              : masses      ? masses->size()
+                              : stiffnesses ? stiffnesses->size()
+                                            : 1;
+  for (const auto& [key, values] :
+       {std::pair{"storey_masses", &masses}, std::pair{"storey_stiffnesses", &stiffnesses}}) {
+    if (!*values) *values = std::vector<double>(storeys, 1.0);
+    if ((*values)->size() == storeys) continue;
+    building.report(key,
+                    fmt::format("{} has {} numbers for {} storeys", building.name_of(key),
+                                (*values)->size(), storeys),
+                    "give one for each storey, from the ground up");
+    return {{1.0}};
+  }
+  std::vector<Mode> modes = shear_building_modes(*masses, *stiffnesses);
+  const double first_s = modes.front().period_s;
+  for (Mode& mode : modes) mode.period_s /= first_s;
+  return modes;
+}
+
+/// What the building is: one mass, if none of these keys is given.
+void read_building(const TomlTable& table, StudyConfig& study) {
+  using Kind = BuildingModel::Kind;
+  BuildingModel& building = study.building;
+  Quantities& q = study.quantities;
+  std::vector<std::string> given;
+  for (const char* key : {"alpha", "storeys", "modes"})
+    if (table.has(key) || (key == std::string("storeys") &&
+                           (table.has("storey_masses") || table.has("storey_stiffnesses"))))
+      given.emplace_back(key);
+  if (given.empty()) return;
+  if (given.size() > 1) {
+    table.report(given[1],
+                 fmt::format("building.{} and building.{} are both given", given[1], given[0]),
+                 "give the building one way");
+    return table.ignore_unknown();
+  }
+  building.kind = given[0] == "alpha"     ? Kind::cantilever
+                  : given[0] == "storeys" ? Kind::storeys
+                                          : Kind::modes;
+  const Quantity& alpha = q.at("building", "alpha");
+  if (building.kind == Kind::cantilever && !alpha.is_drawn() && alpha.values.size() == 1)
+    building.modes[0] = building.modes[1] = cantilever_modes(1.0, alpha.values.front(), most_modes);
+  if (building.kind == Kind::storeys) building.modes[0] = building.modes[1] = read_storeys(table);
+  if (building.kind == Kind::modes) {
+    bool across_has_damping = false;
+    const double first_s = read_modes(table, "modes", building.modes[0], building.has_own_damping);
+    building.modes[1] = building.modes[0];
+    if (!table.has("period_s")) q.at("building", "period_s") = {{first_s}, {}};
+    if (table.has("modes_across")) {
+      building.modes[1].clear();
+      const double across_s =
+          read_modes(table, "modes_across", building.modes[1], across_has_damping);
+      if (!table.has("period_ratio") && first_s > 0.0 && across_s > 0.0)
+        q.at("building", "period_ratio") = {{across_s / first_s}, {}};
+      if (across_has_damping != building.has_own_damping)
+        table.report("modes_across",
+                     "only one of building.modes and building.modes_across has damping",
+                     "give it in both, or in none");
+    }
+    if (building.has_own_damping && table.has("damping"))
+      table.report("damping", "building.damping is given, and the modes have their own",
+                   "give the damping one way");
+  }
+  if (building.kind == Kind::storeys && !q.at("building", "period_s").is_drawn() &&
+      q.at("building", "period_s").values.front() <= 0.0)
+    table.report(given[0], "building." + given[0] + " is given without a period",
+                 "give building.period_s, the first period, above 0");
+  for (const char* key : {"response_modification", "yield_coefficient"})
+    if (!q.at("building", key).is_always(0.0))
+      table.report(key,
+                   fmt::format("building.{} with building.{}: a building of several modes stays "
+                               "elastic here",
+                               key, given[0]),
+                   "leave one of them out: only one mass yields");
+}
+
 }  // namespace
 
 ModelConfig read_model(const TomlTable& table) {
@@ -63,6 +188,7 @@ void read_quantities(const TomlTable& root, StudyConfig& study) {
   study.neighbour_slope = roof.choice<NeighbourSlope>("neighbour_slope", neighbour_slope_names())
                               .value_or(study.neighbour_slope);
   check_strength(root.table("building"), study);
+  read_building(root.table("building"), study);
 }
 
 void read_friction(const TomlTable& table, const std::vector<FrictionValue>& usual,

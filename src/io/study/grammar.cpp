@@ -42,7 +42,8 @@ void add_head(std::vector<GrammarKey>& keys) {
        {"suite", "files", "list of paths", "none", "several suites in one study"},
        {"suite", "records", "list of ids", "all", "the records to run"},
        {"suite", "normalise", "name", "none",
-        "pgv: each record is scaled to the suite's median PGV first (FEMA P-695, A.8, recalled): what "
+        "pgv: each record is scaled to the suite's median PGV first (FEMA P-695, A.8, recalled): "
+        "what "
         "remains between records is not how strong their earthquakes were"},
        {"intensity", "measure", "name", "required", measures()},
        {"intensity", "levels", list_value, "required",
@@ -84,6 +85,21 @@ void add_quantities(std::vector<GrammarKey>& keys) {
                                     : std::string(", ") + p.unit,
                                 p.range.text)});
   }
+  keys.insert(
+      keys.end(),
+      {{"building", "storeys", "whole number", "one mass",
+        "the building is a shear building of so many storeys, with the first period period_s"},
+       {"building", "storey_masses", list_value, "equal",
+        "masses of its floors from the ground up; only their ratios count"},
+       {"building", "storey_stiffnesses", list_value, "equal",
+        "stiffnesses of its storeys, likewise"},
+       {"building", "modes", "list of { period_s, participation, mass_share, damping }", "one mass",
+        "the building's modes along its first axis, the longest period first, six at most: "
+        "participation is that at the array (gamma in theory.md, 2.5), mass_share the effective "
+        "modal mass over the building's mass; damping only if it is not building.damping for all. "
+        "period_s and period_ratio then scale the listed periods"},
+       {"building", "modes_across", "list of { period_s, participation, mass_share, damping }",
+        "modes", "the same along the second axis"}});
   keys.push_back({"roof", "rise_in_12", quantity_value, "slope_deg", "the slope as a rise in 12"});
   keys.push_back({"roof", "neighbour_slope", one_of(neighbour_slope_names()),
                   quoted(neighbour_slope_names(), StudyConfig().neighbour_slope),

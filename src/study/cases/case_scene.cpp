@@ -20,8 +20,9 @@ Yielding strength_of(const Case& c, double period_s, const DesignTarget* target)
                       c.hardening_ratio);
 }
 
-std::array<Oscillator, 2> building_axes(const Case& c) {
-  return {Oscillator{c.period_s, c.damping}, Oscillator{c.period_ratio * c.period_s, c.damping}};
+std::array<Modes, 2> building_axes(const Case& c, const BuildingModel& model) {
+  return {modes_along(model, 0, {c.period_s, c.damping}, c.alpha),
+          modes_along(model, 1, {c.period_ratio * c.period_s, c.damping}, c.alpha)};
 }
 
 Block block_of(const Case& c) {
@@ -47,11 +48,12 @@ TwoAxisBlock neighbour_block(const Case& c) {
   return block;
 }
 
-BiaxialBuilding biaxial_building(const Case& c, const DesignTarget* target) {
-  const std::array<Oscillator, 2> axes = building_axes(c);
-  return {.horizontal = {axes[0], axes[1]},
-          .yielding = {strength_of(c, axes[0].period_s, target),
-                       strength_of(c, axes[1].period_s, target)},
+BiaxialBuilding biaxial_building(const Case& c, const BuildingModel& model,
+                                 const DesignTarget* target) {
+  const std::array<Modes, 2> axes = building_axes(c, model);
+  return {.horizontal = axes,
+          .yielding = {strength_of(c, axes[0].period_s(), target),
+                       strength_of(c, axes[1].period_s(), target)},
           .mass_ratio = c.support == ArraySupport::no_array ? 0.0 : c.mass_ratio};
 }
 

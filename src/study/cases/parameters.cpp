@@ -2,6 +2,7 @@
 #include <array>
 #include <cstring>
 
+#include "glissade/building/modes.hpp"
 #include "glissade/core/contract.hpp"
 #include "glissade/core/finite.hpp"
 #include "glissade/study/cases/case.hpp"
@@ -47,6 +48,19 @@ const std::array parameter_rows = {
               7,
               "the array's mass over the building's",
               [](Case& c) -> double& { return c.mass_ratio; }},
+    Parameter{
+        "building",
+        "alpha",
+        "alpha of the cantilever",
+        "-",
+        {0.0, largest_alpha, "0 to 500"},
+        21,
+        "the building is a uniform cantilever of flexure and shear with the first period "
+        "period_s (Miranda & Taghavi 2005): 0 to 2 walls, 5 to 10 walls with frames, 20 to 30 "
+        "frames",
+        [](Case& c) -> double& { return c.alpha; },
+        Parameter::Axes::any,
+        "period_s"},
     Parameter{"building", "damping", "building damping", "-", damping_ratio, 3,
               "the building's damping ratio", [](Case& c) -> double& { return c.damping; }},
     Parameter{"building",

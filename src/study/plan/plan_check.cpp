@@ -126,11 +126,32 @@ bool is_regular(const Plan& plan, const Case& c) {
   if (plan.kernel.kernel == Kernel::full) {
     Case elastic = c;
     elastic.response_modification = elastic.yield_coefficient = 0.0;
-    const BiaxialBuilding building = biaxial_building(elastic, nullptr);
+    const BiaxialBuilding building = biaxial_building(elastic, plan.config.building, nullptr);
     return coupling_is_regular(two_axis_block(c), building) &&
            (c.neighbour_friction == 0.0 || coupling_is_regular(neighbour_block(c), building));
   }
   return coupling_is_regular(block_of(c), c.mass_ratio);
+}
+
+double longest_step_s(const Plan& plan) {
+  double step_s = 0.0;
+  for (std::size_t i = 0; i < plan.records.size(); ++i)
+    step_s = std::max(step_s, plan.motion(i).dt_s);
+  return step_s;
+}
+
+/// Of the modes of a building of several; `least` where none is below that.
+double shortest_period_s(const StudyConfig& config, const Case& c, double least) {
+  const BuildingModel& model = config.building;
+  const double first_s = c.period_s * (config.two_axes() ? std::min(1.0, c.period_ratio) : 1.0);
+  const bool may_be_shorter = model.kind == BuildingModel::Kind::modes || first_s < least ||
+                              shortest_governing_period_s < least;
+  if (model.is_one_mass() || !may_be_shorter) return least;
+  double shortest_s = least;
+  const std::array<Modes, 2> axes = building_axes(c, model);
+  for (std::size_t axis = 0; axis < (config.two_axes() ? 2 : 1); ++axis)
+    for (const Mode& mode : axes[axis]) shortest_s = std::min(shortest_s, mode.period_s);
+  return shortest_s;
 }
 
 std::optional<std::string> problem_of(const Plan& plan, const Case& c) {
@@ -143,6 +164,13 @@ std::optional<std::string> problem_of(const Plan& plan, const Case& c) {
         "periods of {:g} s or more, or leave out the building's strength",
         c.period_s, shortest_s);
   }
+  const double step_s = longest_step_s(plan);
+  if (const double mode_s = shortest_period_s(plan.config, c, 2.0 * step_s); mode_s < 2.0 * step_s)
+    return fmt::format(
+        "a mode of the building has a period of {:.3g} s, below twice the time step of {:g} s of a "
+        "record, which does not represent it: leave that mode out, or take records of shorter "
+        "steps",
+        mode_s, step_s);
   if (two_axes && !(c.friction > 0.0 && c.friction_across > 0.0)) {
     return fmt::format(
         "friction.mu is {:g} along the slope and {:g} across, and must be above 0 on two axes: of "

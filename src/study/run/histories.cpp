@@ -58,7 +58,8 @@ struct Scene {
 /// A smaller friction than either direction has, under both axes' peaks together: on a circle the
 /// worst direction is straight up the slope.
 bool is_below_yield(const Scene& scene, double friction, double level) {
-  const bool may_skip = scene.skips && !scene.c.yields() && !scene.plan.config.base_shear;
+  const bool may_skip =
+      scene.skips && !is_roof_unknown(scene.plan, scene.c) && !scene.plan.config.base_shear;
   if (!may_skip || !scene.peaks.known) return false;
   Block block = scene.block;
   block.friction = friction;
@@ -133,7 +134,8 @@ class CoupledHistories : public Histories {
   CoupledHistories(const Scene& scene, RoofStore& roofs, TwoAxisBatch& batch)
       : scene_(scene),
         ground_(roofs.ground_under(scene.c)),
-        building_(biaxial_building(scene.c, scene.plan.target(scene.record))),
+        building_(
+            biaxial_building(scene.c, scene.plan.config.building, scene.plan.target(scene.record))),
         block_(two_axis_block(scene.c)),
         on_one_axis_(roofs.motion_under(scene.c)),
         batch_(batch) {
@@ -190,7 +192,7 @@ class CoupledHistories : public Histories {
   }
 
   bool is_by_events() const {
-    return scene_.plan.kernel.kernel == Kernel::coupled &&
+    return scene_.plan.kernel.kernel == Kernel::coupled && building_.horizontal[0].is_one_mass() &&
            (scene_.c.yields() || !scene_.c.law.is_coulomb());
   }
   bool runs_alone() const { return scene_.plan.config.base_shear || is_by_events(); }

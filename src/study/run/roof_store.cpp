@@ -15,15 +15,18 @@
 namespace glissade {
 namespace {
 
-/// The oscillator that moves the roof along one of the building's axes while the block stays where
-/// it is: with the array's mass on it where the kernel counts that. The building alone decides
-/// whether it is rigid.
-Oscillator loaded_roof(const Plan& plan, const Case& c, int axis, double dt_s) {
-  const Oscillator building = building_axes(c)[static_cast<std::size_t>(axis)];
+bool counts_mass(const Plan& plan, const Case& c) {
+  return plan.kernel.kernel != Kernel::tables && c.support != ArraySupport::no_array &&
+         c.mass_ratio > 0.0;
+}
+
+/// What moves the roof along an axis of the building while the block stays where it is: with the
+/// array's mass on it where the kernel counts that. The building alone decides whether it is rigid.
+Modes loaded_roof(const Plan& plan, const Case& c, const Modes& building, double dt_s) {
   if (is_rigid(building, dt_s)) return {};
-  const bool counts = plan.kernel.kernel != Kernel::tables && c.support != ArraySupport::no_array;
-  const double mass = counts ? 1.0 + c.mass_ratio : 1.0;
-  return {building.period_s * std::sqrt(mass), building.damping_ratio / std::sqrt(mass)};
+  if (!building.is_one_mass() || !counts_mass(plan, c)) return building;
+  const double root = std::sqrt(1.0 + c.mass_ratio);
+  return {building[0].period_s * root, building[0].damping_ratio / root};
 }
 
 std::vector<double> mix(const Motion& motion, const AxisMotion& axis) {
@@ -39,6 +42,10 @@ std::vector<double> mix(const Motion& motion, const AxisMotion& axis) {
 
 }  // namespace
 
+bool is_roof_unknown(const Plan& plan, const Case& c) {
+  return c.yields() || (!plan.config.building.is_one_mass() && counts_mass(plan, c));
+}
+
 RoofStore::RoofStore(const Plan& plan, Skipping skipping) : plan_(plan), skipping_(skipping) {}
 
 Case RoofStore::case_on(std::size_t building) const {
@@ -50,11 +57,13 @@ std::span<const CaseRoof> RoofStore::under(std::size_t record,
   GLISSADE_EXPECTS(buildings.size() <= most_at_once);
   if (record != record_ || skipping_ == Skipping::none) turn_to(record);
   roofs_.assign(buildings.size(), {});
-  const auto yields = [&](std::size_t number) { return plan_.cases[number].yields(); };
-  const bool all_yield = std::ranges::all_of(buildings, [&](std::size_t building) {
-    return std::ranges::all_of(plan_.cases_on(building), yields);
+  const auto is_unknown = [&](std::size_t number) {
+    return is_roof_unknown(plan_, plan_.cases[number]);
+  };
+  const bool no_roof_is_known = std::ranges::all_of(buildings, [&](std::size_t building) {
+    return std::ranges::all_of(plan_.cases_on(building), is_unknown);
   });
-  if (all_yield) {
+  if (no_roof_is_known) {
     for (CaseRoof& roof : roofs_) roof.factor_at_unit_level = plan_.factor_at_unit_level[record];
   } else if (plan_.roofs_are_kept) {
     for (std::size_t i = 0; i < buildings.size(); ++i) roofs_[i] = kept(buildings[i]);
@@ -199,8 +208,8 @@ void RoofStore::make(std::span<const std::size_t> buildings, std::span<CaseRoof>
 /// Into how many parts the vertical's oscillator requires a sample interval to be cut.
 int RoofStore::vertical_parts(const Case& c) const {
   if (vertical_motion(c).empty()) return 1;
-  return std::max(
-      1, parts_needed({c.vertical_period_s, c.vertical_damping}, plan_.motion(record_).dt_s));
+  return std::max(1, parts_needed(Oscillator{c.vertical_period_s, c.vertical_damping},
+                                  plan_.motion(record_).dt_s));
 }
 
 BuildingGround RoofStore::ground_under(const Case& c) {
@@ -236,7 +245,7 @@ void RoofStore::make(std::span<const std::size_t> buildings,
   struct Group {
     std::shared_ptr<GroundTable> ground;
     std::vector<Member> members;
-    std::vector<Oscillator> oscillators;
+    std::vector<Modes> buildings;
     std::vector<RoofMotionOptions> follow;
   };
   const auto table_of = [&](Member m) -> RoofTable& {
@@ -251,10 +260,11 @@ void RoofStore::make(std::span<const std::size_t> buildings,
   std::map<std::pair<AxisKey, int>, Group> groups;  // by ground and parts
   for (std::size_t i = 0; i < roofs.size(); ++i) {
     const Case& c = case_on(buildings[i]);
+    const std::array<Modes, 2> own = building_axes(c, plan_.config.building);
     for (int axis = 0; axis < axes; ++axis) {
-      const Oscillator oscillator = loaded_roof(plan_, c, axis, dt);
+      const Modes building = loaded_roof(plan_, c, own[static_cast<std::size_t>(axis)], dt);
       const AxisMotion motion = axis_motion(c.orientation, axis);
-      const int parts = parts_needed(oscillator, dt);
+      const int parts = parts_needed(building, dt);
       const int used = std::max({1, parts, vertical_parts(c)});
       ++roofs_made_;
       if (parts == 0) {
@@ -264,7 +274,7 @@ void RoofStore::make(std::span<const std::size_t> buildings,
       Group& group = groups[{{motion.component, motion.azimuth_deg}, used}];
       group.ground = ground(motion, used);
       group.members.push_back({i, axis});
-      group.oscillators.push_back(oscillator);
+      group.buildings.push_back(building);
       group.follow.push_back(follow[i]);
     }
   }
@@ -274,7 +284,7 @@ void RoofStore::make(std::span<const std::size_t> buildings,
       std::shared_ptr<MotionTable>& table = pooled(group.members[k]);
       if (table && table.use_count() == 1) tables[k] = std::move(*table);  // its memory
     }
-    tabulate_responses(group.ground, group.oscillators, group.follow, tables);
+    tabulate_responses(group.ground, group.buildings, group.follow, tables);
     for (std::size_t k = 0; k < tables.size(); ++k) {
       auto table = std::make_shared<MotionTable>(std::move(tables[k]));
       stand(group.members[k], table, key.second);

@@ -73,6 +73,17 @@ Warnings target_values(const Plan& plan) {
   return warnings;
 }
 
+/// Of the modes that the engineer states.
+Warnings stated_modes(const Plan& plan) {
+  const BuildingModel& model = plan.config.building;
+  if (model.kind != BuildingModel::Kind::modes) return {};
+  Warnings warnings;
+  for (std::size_t axis = 0; axis < (plan.config.two_axes() ? 2 : 1); ++axis)
+    for (const std::string& sentence : improbable_modes(model.modes[axis]))
+      warnings.push_back(fmt::format("building.modes{}: {}", axis == 0 ? "" : "_across", sentence));
+  return warnings;
+}
+
 Warnings improbable_buildings(const Plan& plan) {
   double longest_s = 0.0, damping = 0.0, mass_ratio = 0.0, slope_deg = 0.0;
   for (const Case& c : plan.cases.all()) {
@@ -195,7 +206,7 @@ Warnings turned_roofs(const Plan& plan) {
 std::vector<std::string> warnings_on(const Plan& plan) {
   std::vector<std::string> warnings;
   for (const auto warning :
-       {without_target, one_axis, strong_levels, missed_targets, target_values,
+       {without_target, one_axis, strong_levels, missed_targets, target_values, stated_modes,
         improbable_buildings, period_gaps, low_friction, high_friction, free_sliding, other_targets,
         same_motions, motions, nearest_records, turned_roofs}) {
     for (std::string& text : warning(plan)) warnings.push_back(std::move(text));

@@ -67,8 +67,9 @@ std::set<std::string> keys_of(const std::string& text) {
 TEST_F(Grammar, has_an_example_of_every_key_that_is_accepted) {
   std::set<std::string> used;
   for (const char* name :
-       {"all_keys", "avg_sa", "chart", "clearance", "hazard", "intensity_measures", "pga_normal",
-        "ppa", "pull_tests", "rare", "sa", "sensitivity", "verdict", "verdict_valley"}) {
+       {"all_keys", "avg_sa", "building_modes", "building_storeys", "chart", "clearance", "hazard",
+        "intensity_measures", "pga_normal", "ppa", "pull_tests", "rare", "sa", "sensitivity",
+        "verdict", "verdict_valley"}) {
     const std::string text =
         read_text_file(source / "tests/fuzz/corpus/study" / (std::string(name) + ".toml"));
     EXPECT_EQ(error(text), "") << name;

@@ -119,6 +119,32 @@ TEST_F(StudyFile, contradictions_and_values_out_of_range_have_one_clear_message_
       {needed + "[building]\nresponse_modification = [0, 2]\nyield_coefficient = [0, 0.2]\n",
        "building.response_modification"},
       {needed + "[building]\nhardening_ratio = 0.05\n", "building.hardening_ratio"},
+      {needed + "[building]\nperiod_s = 1\nalpha = -1\n", "building.alpha"},
+      {needed + "[building]\nalpha = 5\n", "building.alpha"},
+      {needed + "[building]\nperiod_s = 1\nalpha = 5\nstoreys = 3\n", "building.storeys"},
+      {needed + "[building]\nperiod_s = 1\nalpha = 5\nresponse_modification = 2\n",
+       "building.response_modification"},
+      {needed + "[building]\nperiod_s = 1\nstoreys = 0\n", "building.storeys"},
+      {needed + "[building]\nperiod_s = 1\nstoreys = 2\nstorey_masses = [1, 1, 1]\n",
+       "building.storey_masses"},
+      {needed + "[building]\nperiod_s = 1\nstorey_stiffnesses = [1, 0]\n",
+       "building.storey_stiffnesses"},
+      {needed + "[building]\nmodes = [{ period_s = 1, participation = 1.3 }]\n",
+       "building.modes.mass_share"},
+      {needed + "[building]\nmodes = [{ period_s = 1, participation = 1.3, mass_share = 0.8 }, { "
+                "period_s = 1.2, participation = -0.3, mass_share = 0.1 }]\n",
+       "building.modes"},
+      {needed + "[building]\nmodes = [{ period_s = 1, participation = 1.3, mass_share = 0.8 }, { "
+                "period_s = 0.3, participation = -0.3, mass_share = 0.3 }]\n",
+       "building.modes"},
+      {needed + "[building]\nmodes = []\n", "building.modes"},
+      {needed +
+           "[building]\nmodes = [{ period_s = 7, participation = 1, mass_share = 0.1 }, { "
+           "period_s = 6, participation = 1, mass_share = 0.1 }, { period_s = 5, participation "
+           "= 1, mass_share = 0.1 }, { period_s = 4, participation = 1, mass_share = 0.1 }, { "
+           "period_s = 3, participation = 1, mass_share = 0.1 }, { period_s = 2, participation "
+           "= 1, mass_share = 0.1 }, { period_s = 1, participation = 1, mass_share = 0.1 }]\n",
+       "building.modes"},
       {needed + "[model]\naxes = 1\n[building]\nperiod_ratio = 0.5\n", "building.period_ratio"},
       {needed + "[model]\naxes = 1\n[roof]\nazimuth_deg = 45\n", "roof.azimuth_deg"},
       {needed + "[roof]\nslope_deg = 2\nrise_in_12 = 0.5\n", "roof.slope_deg"},

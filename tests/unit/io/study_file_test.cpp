@@ -120,6 +120,35 @@ base_width_m = 1.5
   EXPECT_EQ(study.tipping->width_m, 1.5);
 }
 
+TEST_F(StudyFile, a_building_of_modes_is_read_with_its_first_period) {
+  const StudyConfig wall = read(needed + "[building]\nperiod_s = [0.5, 1]\nalpha = [2, 10]\n");
+  EXPECT_EQ(wall.building.kind, BuildingModel::Kind::cantilever);
+  EXPECT_THAT(wall.quantities.at("building", "alpha").values, ElementsAre(2.0, 10.0));
+
+  const StudyConfig storeys =
+      read(needed + "[building]\nperiod_s = 0.6\nstoreys = 3\nstorey_masses = [2, 2, 1]\n");
+  const Modes three = modes_along(storeys.building, 0, {0.6, 0.04}, 0.0);
+  EXPECT_DOUBLE_EQ(three.period_s(), 0.6);
+  EXPECT_DOUBLE_EQ(three[1].damping_ratio, 0.04);
+  // Masses 2, 2, 1 of equal stiffness: omega^2 = 2 sin^2, a uniform shear beam in six parts.
+  EXPECT_NEAR(three[1].period_s / 0.6, std::sin(15 * rad_per_deg) / std::sin(45 * rad_per_deg),
+              1e-14);
+
+  const StudyConfig own = read(needed + R"([building]
+modes = [
+  { period_s = 0.8, participation = 1.3, mass_share = 0.8, damping = 0.04 },
+  { period_s = 0.2, participation = -0.4, mass_share = 0.1, damping = 0.02 },
+]
+modes_across = [{ period_s = 0.4, participation = 1.2, mass_share = 0.9, damping = 0.03 }]
+)");
+  EXPECT_THAT(own.quantities.at("building", "period_s").values, ElementsAre(0.8));
+  EXPECT_THAT(own.quantities.at("building", "period_ratio").values, ElementsAre(0.5));
+  const Modes along = modes_along(own.building, 0, {1.6, 0.05}, 0.0);  // twice as slow
+  EXPECT_DOUBLE_EQ(along[1].period_s, 0.4);
+  EXPECT_DOUBLE_EQ(along[1].damping_ratio, 0.02);
+  EXPECT_DOUBLE_EQ(modes_along(own.building, 1, {0.4, 0.05}, 0.0)[0].participation, 1.2);
+}
+
 TEST_F(StudyFile, what_is_left_out_takes_the_defaults_of_the_configuration) {
   const StudyConfig study = read(needed), defaults;
   for (std::size_t i = 0; i < parameters().size(); ++i) {
@@ -160,6 +189,7 @@ TEST_F(StudyFile, every_parameter_takes_a_number_a_list_a_range_and_distribution
       if (key == "fast_over_slow") table += "rate_s_per_m = 10\n";
       if (key == "rate_s_per_m") table += "fast_over_slow = 1.2\n";
       if (key == "hardening_ratio") table += "yield_coefficient = 0.2\n";
+      if (key == "alpha") table += "period_s = 1\n";
       if (key.starts_with("neighbour"))
         table += "[standards]\ncompare = [\"asce7_16\"]\n[verdict]\n";
       return read(study_part + suite_part + intensity_part + fragility_part +

@@ -42,6 +42,7 @@ struct Case {
   double period_s = 0.0;      ///< of the building along its first axis, without the array; 0: rigid
   double period_ratio = 1.0;  ///< two axes: period along the second axis over that along the first
   double damping = 0.05;
+  double alpha = 0.0;                  ///< of a cantilever of flexure and shear (BuildingModel)
   double mass_ratio = 0.0;             ///< array over building
   double response_modification = 0.0;  ///< R: yields at the design spectrum's elastic demand over
                                        ///< R; 0: it stays elastic

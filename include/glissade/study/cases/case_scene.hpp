@@ -5,6 +5,7 @@
 
 #include "glissade/block/on_building.hpp"
 #include "glissade/block/slide.hpp"
+#include "glissade/building/building_model.hpp"
 #include "glissade/motion/design_spectrum.hpp"
 #include "glissade/study/cases/case.hpp"
 
@@ -16,14 +17,15 @@ namespace glissade {
 /// @param target the design spectrum; not null where R is above 0
 Yielding strength_of(const Case& c, double period_s, const DesignTarget* target);
 
-/// The building's oscillators along its two axes, without the array.
-std::array<Oscillator, 2> building_axes(const Case& c);
+/// The building along its two axes, without the array.
+std::array<Modes, 2> building_axes(const Case& c, const BuildingModel& model);
 
 Block block_of(const Case& c);
 TwoAxisBlock two_axis_block(const Case& c);
 /// Of an array that has a neighbour.
 TwoAxisBlock neighbour_block(const Case& c);
-BiaxialBuilding biaxial_building(const Case& c, const DesignTarget* target);
+BiaxialBuilding biaxial_building(const Case& c, const BuildingModel& model,
+                                 const DesignTarget* target);
 
 /// Of an array that does not slide: what friction nothing overcomes does on a flat roof that does
 /// not move vertically.

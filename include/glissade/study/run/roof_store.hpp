@@ -33,6 +33,10 @@ struct CaseRoof {
   double factor_at_unit_level = 0.0;
 };
 
+/// No roof at rest is made: of a building that yields, and of several modes under the array's mass,
+/// which are then others and not classically damped.
+bool is_roof_unknown(const Plan& plan, const Case& c);
+
 /// Points of the curve F of src/theory.md: on a flat roof with no vertical the peak displacement is
 /// lambda F(mu / lambda), so a point serves every history with the same quotient.
 using SlipCurve = std::unordered_map<std::uint64_t, PeakSlip>;
