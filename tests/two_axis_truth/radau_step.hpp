@@ -39,25 +39,32 @@ class RadauStep : RadauIIA {
       const Stages last = y;
       for (std::size_t i = 0; i < stages; ++i) {
         for (std::size_t k = 0; k < 2; ++k) {
-          Long u = 0, rate = 0, v = 0;
+          Long v = 0;
           for (std::size_t j = 0; j < stages; ++j) {
             const Long weight = h * a[i][j];
-            const Long ground = bodies_.ground(k, t + at[j] * h);
-            u += weight * last[j].rate[k];
-            rate += weight * (m[j].roof[k] - ground);
             v += weight * m[j].block[k];
             for (std::size_t n = 0; n < 2; ++n)
               matrix[2 * i + k][2 * j + n] = (i == j && k == n) - weight * jacobian[j][2 * k + n];
           }
           change[2 * i + k] = from.v[k] + v - y[i].v[k];
-          if (!bodies_.moves(k)) continue;
-          y[i].u[k] = from.u[k] + u;
-          y[i].rate[k] = from.rate[k] + rate;
-          largest = std::max(largest, bodies_.omega(k) * std::abs(y[i].u[k] - last[i].u[k]) +
-                                          std::abs(y[i].rate[k] - last[i].rate[k]));
+          for (std::size_t f = 0; f < bodies_.floors(k); ++f) {
+            Long u = from.u[k][f], rate = from.rate[k][f];
+            for (std::size_t j = 0; j < stages; ++j) {
+              const Long weight = h * a[i][j];
+              u += weight * last[j].rate[k][f];
+              rate += weight * (m[j].floor[k][f] - bodies_.ground(k, t + at[j] * h));
+            }
+            y[i].u[k][f] = u;
+            y[i].rate[k][f] = rate;
+            largest = std::max(largest, bodies_.omega(k) * std::abs(u - last[i].u[k][f]) +
+                                            std::abs(rate - last[i].rate[k][f]));
+          }
         }
       }
-      largest /= h * bodies_.gravity() + length(from.rate);
+      Long moves = 0;
+      for (const Floors& rate : from.rate)
+        for (const Long r : rate) moves = std::max(moves, std::abs(r));
+      largest /= h * bodies_.gravity() + moves;
       if (!solve_linear(matrix, change)) return false;
       for (std::size_t i = 0; i < stages; ++i) {
         const Two by{change[2 * i], change[2 * i + 1]};
@@ -79,11 +86,11 @@ class RadauStep : RadauIIA {
     for (std::size_t i = 0; i < stages; ++i) {
       const Long after = at[i] * h;
       y[i] = from;
-      for (std::size_t k = 0; k < 2; ++k) {
-        if (!bodies_.moves(k)) continue;
-        y[i].u[k] += after * from.rate[k];
-        y[i].rate[k] += after * (now.roof[k] - bodies_.ground(k, t));
-      }
+      for (std::size_t k = 0; k < 2; ++k)
+        for (std::size_t f = 0; f < bodies_.floors(k); ++f) {
+          y[i].u[k][f] += after * from.rate[k][f];
+          y[i].rate[k][f] += after * (now.floor[k][f] - bodies_.ground(k, t));
+        }
       if (starts) {
         const FreeBodies::Motion then =
             bodies_.contact(t + after, y[i], bodies_.friction(direction));

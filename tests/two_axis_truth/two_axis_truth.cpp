@@ -33,10 +33,11 @@ class History {
     const Long h = std::min(bodies_.dt() - t, 0.3L / std::max(bodies_.largest_omega(), 0.3L));
     const FreeBodies::Resting s = bodies_.resting(t, h, now_);
     const Long x = first_negative(s.cone);
-    for (std::size_t n = 0; n < 2; ++n) {
-      now_.u[n] = value(s.u[n], x);
-      now_.rate[n] = rate(s.u[n], x) / h;
-    }
+    for (std::size_t n = 0; n < 2; ++n)
+      for (std::size_t i = 0; i < bodies_.floors(n); ++i) {
+        now_.u[n][i] = value(s.u[n][i], x);
+        now_.rate[n][i] = rate(s.u[n][i], x) / h;
+      }
     if (x == 1.0L) return h < bodies_.dt() - t ? t + h : bodies_.dt();
     sliding_ = true;
     ++result_.phases;
@@ -110,6 +111,7 @@ class History {
     }
     now_ = y.back();
     raise_peaks(now_);
+    raise_peaks(bodies_.contact(t + h, now_));
     peak_speed_ = std::max(peak_speed_, length(now_.v));
     if (changes) bodies_.lifted = !bodies_.lifted;
     result_.uplift = result_.uplift || bodies_.lifted;
@@ -123,14 +125,24 @@ class History {
     result_.peak_across_m = std::max(result_.peak_across_m, std::abs(x[1]));
   }
 
+  void raise_peaks(const FreeBodies::Motion& m) {
+    for (std::size_t k = 0; k < 2; ++k) {
+      if (!bodies_.moves(k)) continue;
+      Long &shear = result_.sliding_shear[k], &roof = result_.sliding_roof_m[k];
+      shear = std::max(shear, std::abs(bodies_.base_shear(k, m)));
+      roof = std::max(roof, std::abs(now_.u[k][bodies_.floors(k) - 1]));
+    }
+  }
+
   /// The rest of the way, too short to be curved. What the static friction does not hold goes on.
   Long stop(Long t, Long left, const FreeBodies::Motion& m) {
     for (std::size_t k = 0; k < 2; ++k) {
       now_.x[k] += 0.5L * left * now_.v[k];
       now_.v[k] = 0;
-      if (!bodies_.moves(k)) continue;
-      now_.u[k] += left * now_.rate[k];
-      now_.rate[k] += left * (m.roof[k] - bodies_.ground(k, t));
+      for (std::size_t i = 0; i < bodies_.floors(k); ++i) {
+        now_.u[k][i] += left * now_.rate[k][i];
+        now_.rate[k][i] += left * (m.floor[k][i] - bodies_.ground(k, t));
+      }
     }
     raise_peaks(now_);
     t = std::min(t + left, bodies_.dt());

@@ -44,7 +44,8 @@ struct BuildingSlip {
   TwoAxisResult slip;
   // By the axes of the building:
   std::array<double, 2> peak_base_shear{};           ///< max |damping + spring force| / (M g), per
-                                                     ///< weight of the building alone
+                                                     ///< weight of the building alone; with the
+                                                     ///< inertia of modes that are left out
   std::array<double, 2> peak_roof_displacement_m{};  ///< max |u|, relative to the ground; 0: rigid
 };
 
@@ -63,7 +64,8 @@ bool coupling_is_regular(const TwoAxisBlock& block, const BiaxialBuilding& build
 ///   sliding:  N/m = g' cos(slope) + a_s sin(slope)
 ///             a   = E - r N/m (sin(slope) - f_s cos(slope), -f_y)
 ///             v'  = (g' sin(slope) - a_s cos(slope), -a_y) - f N/m
-/// in the axes of the slope; along a rigid axis a is that of the ground. While N < 0 there is no
+/// in the axes of the slope; along a rigid axis a is that of the ground. On modes E is their sum
+/// and r = (m/M) sum of gamma^2 / e along each axis (theory.md, 3.4). While N < 0 there is no
 /// friction; the history is flagged as uplift and the block stays in the plane of the roof, as in
 /// slide_coupled().
 ///
@@ -94,7 +96,9 @@ bool coupling_is_regular(const TwoAxisBlock& block, const BiaxialBuilding& build
 ///   a circle or an ellipse and with friction that depends on speed, at rates up to 1,000 s/m, and
 ///   below 2e-5 with static friction but for one scene in a hundred. With a rate of 100,000 s/m the
 ///   median is below 1e-5, the largest below 3e-4. At 1e-10 all are below 1e-9. Yielding buildings
-///   and uplift are compared with a midpoint rule to 1e-3 only (on_building_truth_test). Each step
+///   and uplift are compared with a midpoint rule to 1e-3 only (on_building_truth_test). On modes r
+///   counts in place of m/M: errors are the same up to 0.5, and 2e-5 at 1.8
+///   (on_building_modes_test). Each step
 ///   may have its own error, so that many short phases of little slip have more than one tolerance.
 /// @throw NotConverged after 100,000 steps and fifty a sample: a law that is nearly a jump in speed
 BuildingSlip slide_on_building(const BuildingGround& ground, const BuildingFactors& factors,

@@ -11,8 +11,7 @@ FullModelBody::FullModelBody(const BuildingContact& contact,
     : contact_(contact),
       axes_(axes),
       mass_ratio_(mass_ratio),
-      accelerance_(contact.accelerance(
-          {axes[0].rigid() ? 0.0 : mass_ratio, axes[1].rigid() ? 0.0 : mass_ratio})),
+      accelerance_(contact.accelerance({axes[0].accelerance(), axes[1].accelerance()})),
       pieces_(pieces),
       tolerance_(tolerance),
       friction_bound_(contact.friction_bound(accelerance_)),
@@ -91,9 +90,11 @@ void FullModelBody::raise_peaks(std::size_t axis, const AxisSeries& motion, doub
   const auto raise = [fraction](double& peak, const Series& of) {
     if (of.bound() > peak) peak = std::max(peak, largest(of, fraction));
   };
-  if (motion.resisting_bound > peaks_.resisting[axis])
-    raise(peaks_.resisting[axis], motion.resisting);
-  if (motion.x_bound > peaks_.x[axis]) raise(peaks_.x[axis], motion.x);
+  const bool one_mass = axes_[axis].one_mass();
+  if ((one_mass ? motion.resisting_bound : motion.shear_bound) > peaks_.shear[axis])
+    raise(peaks_.shear[axis], one_mass ? motion.resisting : motion.shear);
+  if (motion.x_bound > peaks_.x[axis])
+    raise(peaks_.x[axis], one_mass ? motion.x[0] : motion.roof_x);
 }
 
 void FullModelBody::start(Vector acceleration, const ExcitationPiece& piece) {

@@ -21,9 +21,9 @@ class FullModelBody {
   void follow(const Excitation& excitation, double longest_period_s);
 
   TwoAxisResult result() const;
-  /// Largest |E| and |x|.
+  /// Largest |base shear| over the building's mass, and |x| of the roof (AxisSeries::roof_x).
   struct Peaks {
-    Axes resisting{}, x{};
+    Axes shear{}, x{};
   };
   const Peaks& peaks() const { return peaks_; }
 
@@ -91,6 +91,7 @@ class FullModelBody {
   bool stop_there(const Stop& stop, const UncoupledRoof& uncoupled,
                   const std::array<Ramp, 2>& interaction);
   void raise_peaks(std::size_t axis, const AxisSeries& motion, double fraction);
+  Axes force_on_roof(const ContactState& contact) const;
 
   BuildingContact contact_;
   std::array<BuildingAxis, 2> axes_;

@@ -20,13 +20,13 @@ Series product(const Series& a, const Series& b) {
 
 /// FrictionEllipse::excess over a piece.
 Series excess(const FrictionEllipse& friction, const TwoAxisLoading& loading,
-              const AxisSeries (&axis)[2], double mass, const ExcitationPiece& excitation) {
+              const AxisSeries (&axis)[2], const Axes& mass, const ExcitationPiece& excitation) {
   Series s, y, n;
   s.terms = y.terms = n.terms =
       std::max({axis[0].resisting.terms, axis[1].resisting.terms, excitation.vertical_terms});
   for (int k = 0; k < s.terms; ++k) {
-    const double a1 = coefficient(axis[0].resisting, k) / mass,
-                 a2 = coefficient(axis[1].resisting, k) / mass;
+    const double a1 = coefficient(axis[0].resisting, k) / mass[0],
+                 a2 = coefficient(axis[1].resisting, k) / mass[1];
     const double w = excitation.coefficient(k);
     const Load load = k == 0 ? loading.at(a1, a2, w) : loading.change(a1, a2, w);
     s.c[k] = load.drive.s;
@@ -51,12 +51,12 @@ bool drives(const TwoAxisLoading& loading, const AxisSeries (&axis)[2]) {
 }  // namespace
 
 double FullModelBody::rest(const ExcitationPiece& piece) {
-  const double mass = 1.0 + mass_ratio_;
-  const AxisSeries motion[2] = {axes_[0].motion(piece.length_s, piece.ground[0], mass),
-                                axes_[1].motion(piece.length_s, piece.ground[1], mass)};
+  const Axes mass{axes_[0].stuck_mass(), axes_[1].stuck_mass()};
+  const AxisSeries motion[2] = {axes_[0].motion(piece.length_s, piece.ground[0], mass[0]),
+                                axes_[1].motion(piece.length_s, piece.ground[1], mass[1])};
   const FrictionEllipse& friction = contact_.friction_at_rest();
-  const Load begin = contact_.loading().at(motion[0].resisting.c[0] / mass,
-                                           motion[1].resisting.c[0] / mass, piece.w(0.0));
+  const Load begin = contact_.loading().at(motion[0].resisting.c[0] / mass[0],
+                                           motion[1].resisting.c[0] / mass[1], piece.w(0.0));
   uplift_ = uplift_ || begin.normal < 0.0;
   const double release = !drives(contact_.loading(), motion) ? never
                          : friction.may_rest(begin)
@@ -84,8 +84,10 @@ double FullModelBody::rest(const ExcitationPiece& piece) {
   Vector a;
   if (jumps) {
     Axes e;
-    for (std::size_t n = 0; n < 2; ++n)
-      e[n] = axes_[n].rigid() ? piece.ground[n].at(fraction) : axes_[n].resisting();
+    for (std::size_t n = 0; n < 2; ++n) {
+      const double ground = piece.ground[n].at(fraction);
+      e[n] = axes_[n].rigid() ? ground : axes_[n].resisting(ground);
+    }
     a = contact_.release_acceleration(e, piece.w(fraction), accelerance_);
   }
   start(a, piece);
@@ -157,6 +159,7 @@ template <class Nodes>
 std::size_t FullModelBody::rest_over(const Nodes& nodes, std::size_t from, std::size_t to) {
   const FrictionEllipse& friction = contact_.friction_at_rest();
   if (axes_[0].yielding() || axes_[1].yielding() || friction.smallest() == 0.0) return from;
+  if (!axes_[0].one_mass() || !axes_[1].one_mass()) return from;
   const TwoAxisLoading loading = contact_.loading();
   const double mass = 1.0 + mass_ratio_, per_mass = 1.0 / mass;
   const double per_along = 1.0 / friction.along(), per_across = 1.0 / friction.across();
@@ -172,7 +175,7 @@ std::size_t FullModelBody::rest_over(const Nodes& nodes, std::size_t from, std::
     now.s[n] = axis.rigid() ? 0.0 : axis.spring();
     now.y[n] = axis.y();
     now.ground[n] = nodes.ground(n, from);
-    now.e[n] = axis.rigid() ? mass * now.ground[n] : axis.resisting();
+    now.e[n] = axis.resisting(now.ground[n]);
     yield_from[n] = now.s[n];
     yield_left[n] = axis.yield_left();
   }
@@ -203,7 +206,7 @@ std::size_t FullModelBody::rest_over(const Nodes& nodes, std::size_t from, std::
       const double moved = yields ? std::abs(axes_[n].x() - yield_from[n]) : 0.0;
       const double e = std::max(std::abs(now.e[n]), std::abs(next.e[n])) + deviation[n].e,
                    x = std::max(std::abs(now.s[n]), std::abs(next.s[n])) + deviation[n].s + moved;
-      if (!(e > peaks_.resisting[n] || x > peaks_.x[n])) continue;
+      if (!(e > peaks_.shear[n] || x > peaks_.x[n])) continue;
       hold(now);
       for (std::size_t k = 0; k < 2; ++k) {
         yield_from[k] = now.s[k];

@@ -7,26 +7,41 @@ namespace {
 
 /// The effect of the block on an axis over a step that ends at fraction tau of the piece: cubics
 /// through values and slopes at both ends, added to the response of the building alone.
-AxisSeries with_added(AxisSeries m, const BuildingAxis& axis, const Added& end, double begin_rate,
-                      double end_rate, double length_s, double tau) {
-  const double x_slope = axis.omega_radps() * length_s * end.y, r0 = begin_rate * length_s,
-               r1 = end_rate * length_s;
-  const double x[4] = {0.0, 0.0, 3.0 * end.x - x_slope, x_slope - 2.0 * end.x};
-  const double v[4] = {0.0, r0, 3.0 * end.y - 2.0 * r0 - r1, r0 + r1 - 2.0 * end.y};
-  while (m.x.terms < 4) {
-    for (Series* s : {&m.x, &m.y, &m.resisting}) s->c[s->terms++] = 0.0;
+/// @param interaction at both ends: reduction of the roof's acceleration by the block
+AxisSeries with_added(AxisSeries m, const BuildingAxis& axis, const Added* end,
+                      const double* end_rate, const Ramp& interaction, double length_s,
+                      double tau) {
+  for (std::size_t n = 0; n < axis.modes().size(); ++n) {
+    const AxisMode& mode = axis.modes()[n];
+    const double x_slope = mode.omega_radps * length_s * end[n].y,
+                 r0 = -mode.omega_radps * (mode.kappa * interaction.begin) * length_s,
+                 r1 = end_rate[n] * length_s;
+    const double x[4] = {0.0, 0.0, 3.0 * end[n].x - x_slope, x_slope - 2.0 * end[n].x};
+    const double v[4] = {0.0, r0, 3.0 * end[n].y - 2.0 * r0 - r1, r0 + r1 - 2.0 * end[n].y};
+    double scale = 1.0, bound_x = 0.0, bound_y = 0.0;
+    for (std::size_t k = 1; k < 4; ++k) {
+      bound_x += std::abs(x[k]);
+      bound_y += std::abs(v[k]);
+      scale /= tau;
+      const double e = scale * (mode.twice_zeta * v[k] + axis.stiffness() * x[k]);
+      m.x[n].c[k] += scale * x[k];
+      m.y[n].c[k] += scale * v[k];
+      m.resisting.c[k] -= mode.participation * e;
+      if (axis.one_mass()) continue;
+      m.shear.c[k] -= mode.mass_share * e;
+      m.roof_x.c[k] += mode.roof_per_x * (scale * x[k]);
+    }
+    const double bound = mode.twice_zeta * bound_y + bound_x;
+    m.resisting_bound += std::abs(mode.participation) * bound;
+    m.shear_bound += mode.mass_share * bound;
+    m.x_bound += std::abs(mode.roof_per_x) * bound_x;
   }
-  double scale = 1.0, bound_x = 0.0, bound_y = 0.0;
-  for (std::size_t k = 1; k < 4; ++k) {
-    bound_x += std::abs(x[k]);
-    bound_y += std::abs(v[k]);
-    scale /= tau;
-    m.x.c[k] += scale * x[k];
-    m.y.c[k] += scale * v[k];
-    m.resisting.c[k] -= scale * (axis.twice_zeta() * v[k] + axis.stiffness() * x[k]);
-  }
-  m.resisting_bound += axis.twice_zeta() * bound_y + bound_x;
-  m.x_bound += bound_x;
+  if (axis.one_mass()) return m;
+  const double in_shear = axis.shear_per_interaction();
+  m.shear.c[0] += in_shear * interaction.begin;
+  m.shear.c[1] += in_shear * (interaction.end - interaction.begin) / tau;
+  m.shear_bound +=
+      std::abs(in_shear) * std::max(std::abs(interaction.begin), std::abs(interaction.end));
   return m;
 }
 
@@ -116,20 +131,25 @@ AxisSeries FullModelBody::with_block(const UncoupledRoof& uncoupled, const Build
   if (accelerance_.axis[n] == 0.0) return uncoupled.axis[n];
   const Axes e = uncoupled.e(0.0);
   const Axes a = contact_.with_acceleration(now_.a, e, uncoupled.excitation.w(0.0), accelerance_).a;
-  return with_added(uncoupled.axis[n], axes_[n], step.added[n],
-                    axes_[n].omega_radps() * (a[n] - e[n]), step.added_rate[n], length_s,
-                    length_s / uncoupled.excitation.length_s);
+  const Ramp reduction{e[n] - a[n], accelerance_.axis[n] * force_on_roof(step.end)[n]};
+  return with_added(uncoupled.axis[n], axes_[n], step.added[n].data(), step.added_rate[n].data(),
+                    reduction, length_s, length_s / uncoupled.excitation.length_s);
+}
+
+/// Over the array's mass, against the roof's acceleration.
+Axes FullModelBody::force_on_roof(const ContactState& contact) const {
+  const Vector friction = contact.friction;
+  return contact_.to_building(contact.normal *
+                              Vector{contact_.loading().tan_slope() - friction.s, -friction.y});
 }
 
 void FullModelBody::raise_peaks(std::size_t n, const UncoupledRoof& uncoupled,
                                 const BuildingStep& step, double length_s) {
   const double fraction = length_s / uncoupled.excitation.length_s;
   if (axes_[n].rigid() && mass_ratio_ > 0.0) {  // it carries the block too
-    const ContactState& c = step.end;
-    const Axes force = contact_.to_building(
-        c.normal * Vector{contact_.loading().tan_slope() - c.friction.s, -c.friction.y});
-    const double carried = uncoupled.axis[n].resisting.at(fraction) + mass_ratio_ * force[n];
-    peaks_.resisting[n] = std::max(peaks_.resisting[n], std::abs(carried));
+    const double carried =
+        uncoupled.axis[n].resisting.at(fraction) + mass_ratio_ * force_on_roof(step.end)[n];
+    peaks_.shear[n] = std::max(peaks_.shear[n], std::abs(carried));
     return;
   }
   if (accelerance_.axis[n] == 0.0) return raise_peaks(n, uncoupled.axis[n], fraction);
@@ -138,7 +158,7 @@ void FullModelBody::raise_peaks(std::size_t n, const UncoupledRoof& uncoupled,
   const double added = 2.0 * mass_ratio_ * normal_force_bound(uncoupled) *
                        (contact_.loading().tan_slope() + friction_bound_) * phase *
                        (axes_[n].twice_zeta() + phase);
-  if (uncoupled.axis[n].resisting_bound + added > peaks_.resisting[n] ||
+  if (!axes_[n].one_mass() || uncoupled.axis[n].resisting_bound + added > peaks_.shear[n] ||
       uncoupled.axis[n].x_bound + added > peaks_.x[n]) {
     raise_peaks(n, with_block(uncoupled, step, n, length_s), fraction);
   }
@@ -190,16 +210,13 @@ double FullModelBody::step(const UncoupledRoof& uncoupled, double longest) {
 }
 
 BuildingStep FullModelBody::try_step(const UncoupledRoof& uncoupled, double length_s) const {
-  const auto response = [&](std::size_t n) {
-    const BuildingAxis& axis = axes_[n];
-    return AxisResponse{axis.omega_radps(), axis.twice_zeta(), axis.stiffness(),
-                        accelerance_.axis[n]};
-  };
   const StageLoads loads = uncoupled.at_stages(length_s / uncoupled.excitation.length_s);
-  const auto sdirk4 = accelerance_.none() ? building_sdirk4<false> : building_sdirk4<true>;
+  const auto sdirk4 = accelerance_.none()                          ? building_sdirk4<0>
+                      : axes_[0].one_mass() && axes_[1].one_mass() ? building_sdirk4<1>
+                                                                   : building_sdirk4<most_modes>;
   constexpr double of_tolerance = 1e-3;  // for the iterations of a stage: they add no error
   return sdirk4(now_.v, friction_now_, length_s, of_tolerance * tolerance_ * peak_speed_, loads,
-                contact_, {response(0), response(1)}, accelerance_);
+                contact_, axes_, accelerance_);
 }
 
 /// When each axis yields, or never.
@@ -222,8 +239,8 @@ void FullModelBody::take(const UncoupledRoof& uncoupled, const BuildingStep& ste
                          double length_s) {
   for (std::size_t n = 0; n < 2; ++n) {
     raise_peaks(n, uncoupled, step, length_s);
-    axes_[n].follow(uncoupled.axis[n], length_s / uncoupled.excitation.length_s, step.added[n].x,
-                    step.added[n].y);
+    axes_[n].follow(uncoupled.axis[n], length_s / uncoupled.excitation.length_s,
+                    step.added[n].data());
   }
   uplift_ = uplift_ || step.end.normal < 0.0;
   const Sliding end{step.end.v, step.end.a};

@@ -38,11 +38,12 @@ FullModelBody::StraightStop FullModelBody::find_straight_stop(const UncoupledRoo
   const auto state_at = [&](double t, double at_speed) {
     const double fraction = t / piece.length_s;
     Axes e = uncoupled.e(fraction);
-    for (std::size_t n = 0; n < 2; ++n) {
-      const double phase = axes_[n].omega_radps() * t;
-      e[n] -=
-          interaction_now[n] * phase * (axes_[n].twice_zeta() + 0.5 * axes_[n].stiffness() * phase);
-    }
+    for (std::size_t n = 0; n < 2; ++n)
+      for (const AxisMode& mode : axes_[n].modes()) {
+        const double phase = mode.omega_radps * t;
+        e[n] -= interaction_now[n] * mode.gain() * phase *
+                (mode.twice_zeta + 0.5 * axes_[n].stiffness() * phase);
+      }
     const double k = contact_.factor(at_speed);
     return contact_.with_friction(k * friction, e, piece.w(fraction), accelerance_);
   };
@@ -151,8 +152,9 @@ Stop FullModelBody::find_curved_stop(const UncoupledRoof& uncoupled, double left
   const double t = guess_s, drag = mu * now.normal;
   double building_rate = 0.0;
   for (std::size_t n = 0; n < 2; ++n)
-    building_rate += accelerance_.axis[n] * axes_[n].omega_radps() *
-                     (axes_[n].twice_zeta() + axes_[n].omega_radps() * t);
+    for (const AxisMode& mode : axes_[n].modes())
+      building_rate += accelerance_.axis[n] * mode.gain() * mode.omega_radps *
+                       (mode.twice_zeta + mode.omega_radps * t);
   const double jerk = std::max(change(now, end) / left_s, change(now, third) * 3.0 / t) +
                       building_rate * (drag + std::abs(now.normal) * tangent);
   const double anisotropy =

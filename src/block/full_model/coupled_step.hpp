@@ -7,21 +7,11 @@
 
 namespace glissade::block_detail {
 
-/// Effect of the block on an axis of the building since the start of a step.
-struct Added {
-  double x = 0.0, y = 0.0;
-};
-
-/// Response of an axis to that effect.
-struct AxisResponse {
-  double omega_radps = 0.0, twice_zeta = 0.0, stiffness = 1.0, mass_ratio = 0.0;
-};
-
 struct BuildingStep {
   ContactState end;
-  std::array<Added, 2> added{};
-  Axes added_rate{};   ///< of added.y, at the end
-  double error = 0.0;  ///< of end.v, estimated
+  std::array<std::array<Added, most_modes>, 2> added;        ///< by axis and mode
+  std::array<std::array<double, most_modes>, 2> added_rate;  ///< of added.y, at the end
+  double error = 0.0;                                        ///< of end.v, estimated
 };
 
 /// Motion of the uncoupled roof at the stages of a step.
@@ -30,55 +20,76 @@ struct StageLoads {
   double w[Sdirk4::stages];
 };
 
-/// SDIRK4 of block and building together. The response of the building alone is
-/// exact (`loads`); only the effect of the block is integrated, xi'' + 2 zeta omega xi' + k xi =
-/// -interaction. In a stage xi follows from the interaction in closed form, which only changes e
-/// and R:
-///   a = [e + b / (1 + beta)] - interaction / (1 + beta),   beta = gamma_h omega (2 zeta + k
-///   gamma_h omega)
+/// SDIRK4 of block and building together. The response of the building alone is exact (`loads`);
+/// only the effect of the block is integrated: of each mode xi'' + 2 zeta omega xi' + k xi = -kappa
+/// interaction. In a stage xi follows from the interaction in closed form, which only changes e and
+/// R; with beta = gamma_h omega (2 zeta + k gamma_h omega) and the sums over modes,
+///   a = [e + sum of gamma b / (1 + beta)] - W interaction,   W = sum of gamma kappa / (1 + beta)
 /// By the balance of momentum an error in xi' is m/M times that in v, so v alone is controlled.
-template <bool kCoupled>
+/// @param most_of_axis modes at most; 0: the roof is not coupled with the block
+template <std::size_t most_of_axis>
 BuildingStep building_sdirk4(Vector v, Vector guess, double length_s, double permitted_error,
                              const StageLoads& loads, const BuildingContact& contact,
-                             const std::array<AxisResponse, 2>& axes, const Accelerance& at_once) {
+                             const std::array<BuildingAxis, 2>& axes, const Accelerance& at_once) {
   using S = Sdirk4;
+  constexpr std::size_t most = std::max<std::size_t>(most_of_axis, 1);
   const double gamma_h = S::gamma * length_s;
-  double spring[2] = {}, per_stage_mass[2] = {};
+  double spring[2][most] = {}, per_stage_mass[2][most] = {};
+  double share[2][most] = {};  // of the interaction in a
+  std::size_t count[2] = {};
   Accelerance accelerance;
-  if constexpr (kCoupled) {
+  if constexpr (most_of_axis > 0) {
+    Axes ratio{};
     for (std::size_t n = 0; n < 2; ++n) {
-      const double phase = gamma_h * axes[n].omega_radps;
-      spring[n] = axes[n].twice_zeta + axes[n].stiffness * phase;
-      per_stage_mass[n] = 1.0 / (1.0 + phase * spring[n]);
+      count[n] = std::min(most, axes[n].modes().size());
+      double total = 0.0;
+      for (std::size_t k = 0; k < count[n]; ++k) {
+        const AxisMode& mode = axes[n].modes()[k];
+        const double phase = gamma_h * mode.omega_radps;
+        spring[n][k] = mode.twice_zeta + axes[n].stiffness() * phase;
+        per_stage_mass[n][k] = 1.0 / (1.0 + phase * spring[n][k]);
+        share[n][k] = mode.kappa * per_stage_mass[n][k];
+        total += mode.gain() * per_stage_mass[n][k];
+      }
+      for (std::size_t k = 0; k < count[n] && total > 0.0; ++k) share[n][k] /= total;
+      ratio[n] = at_once.axis[n] * total;
     }
-    accelerance = contact.accelerance(
-        {axes[0].mass_ratio * per_stage_mass[0], axes[1].mass_ratio * per_stage_mass[1]});
+    accelerance = contact.accelerance(ratio);
   }
 
   BuildingStep step;
-  Added rate[S::stages][2];
+  Added rate[S::stages][2][most];
   const auto stage = [&](int i, Vector known, double) __attribute__((always_inline)) {
     Axes e{loads.e[0][i], loads.e[1][i]};
-    if constexpr (kCoupled) {
-      Added before[2];
-      Axes rest{};  // of xi's own forces
+    if constexpr (most_of_axis > 0) {
+      Added before[2][most];
+      double rest[2][most];  // of xi's own forces
       for (std::size_t n = 0; n < 2; ++n) {
-        for (int j = 0; j < i; ++j) {
-          before[n].x += S::a[i][j] * rate[j][n].x;
-          before[n].y += S::a[i][j] * rate[j][n].y;
+        for (std::size_t k = 0; k < count[n]; ++k) {
+          const AxisMode& mode = axes[n].modes()[k];
+          Added& b = before[n][k];
+          for (int j = 0; j < i; ++j) {
+            b.x += S::a[i][j] * rate[j][n][k].x;
+            b.y += S::a[i][j] * rate[j][n][k].y;
+          }
+          b.x *= length_s;
+          b.y *= length_s;
+          rest[n][k] = -(axes[n].stiffness() * b.x + spring[n][k] * b.y) * per_stage_mass[n][k];
+          e[n] += mode.participation * rest[n][k];
         }
-        before[n].x *= length_s;
-        before[n].y *= length_s;
-        rest[n] = -(axes[n].stiffness * before[n].x + spring[n] * before[n].y) * per_stage_mass[n];
-        e[n] += rest[n];
       }
       step.end = contact.slide(known, gamma_h, e, loads.w[i], accelerance, guess, permitted_error);
       for (std::size_t n = 0; n < 2; ++n) {
-        rate[i][n].y = axes[n].omega_radps * (rest[n] - step.end.interaction[n]);
-        step.added_rate[n] = rate[i][n].y;
-        step.added[n].y = before[n].y + gamma_h * rate[i][n].y;
-        rate[i][n].x = axes[n].omega_radps * step.added[n].y;
-        step.added[n].x = before[n].x + gamma_h * rate[i][n].x;
+        for (std::size_t k = 0; k < count[n]; ++k) {
+          const double omega = axes[n].modes()[k].omega_radps;
+          const Added& b = before[n][k];
+          Added &added = step.added[n][k], &r = rate[i][n][k];
+          r.y = omega * (rest[n][k] - share[n][k] * step.end.interaction[n]);
+          step.added_rate[n][k] = r.y;
+          added.y = b.y + gamma_h * r.y;
+          r.x = omega * added.y;
+          added.x = b.x + gamma_h * r.x;
+        }
       }
       guess = step.end.friction;
     } else {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "glissade/block/on_building.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -20,10 +21,17 @@ using block_detail::FullModelBody;
 using block_detail::PathPiece;
 using block_detail::TwoAxisTrack;
 
-int pieces(const Oscillator& oscillator, double dt_s) {
-  if (oscillator.period_s == 0.0) return 1;
-  const double phase = 2.0 * std::numbers::pi / oscillator.period_s * dt_s;
-  return static_cast<int>(block_detail::pieces_of(phase * (1.0 + 2.0 * oscillator.damping_ratio)));
+/// Pieces of longest_phase for one mass; without its bounds on a series, twice as long.
+int pieces(const Modes& modes, double dt_s) {
+  if (modes.rigid()) return 1;
+  const double of_longest = modes.is_one_mass() ? 1.0 : 0.5;
+  double pieces = 1.0;
+  for (const Mode& mode : modes) {
+    const double phase = 2.0 * std::numbers::pi / mode.period_s * dt_s;
+    pieces = std::max(
+        pieces, block_detail::pieces_of(of_longest * phase * (1.0 + 2.0 * mode.damping_ratio)));
+  }
+  return static_cast<int>(pieces);
 }
 
 void check([[maybe_unused]] const BuildingGround& ground, const BuildingFactors& factors,
@@ -34,9 +42,12 @@ void check([[maybe_unused]] const BuildingGround& ground, const BuildingFactors&
   GLISSADE_EXPECTS(ground.horizontal[1] == nullptr || ground.horizontal[1]->step_s() == step_s);
   GLISSADE_EXPECTS(ground.vertical == nullptr || ground.vertical->step_s() == step_s);
   for ([[maybe_unused]] std::size_t n : {0u, 1u}) {
-    GLISSADE_EXPECTS(building.horizontal[n].is_one_mass());
-    GLISSADE_EXPECTS(building.horizontal[n][0].period_s >= 0.0 &&
-                     building.horizontal[n][0].damping_ratio >= 0.0);
+    [[maybe_unused]] const Modes& modes = building.horizontal[n];
+    GLISSADE_EXPECTS(modes.is_one_mass() || !building.yielding[n].yields());
+    GLISSADE_EXPECTS(std::ranges::all_of(modes, [&](const Mode& mode) {
+      return (mode.period_s > 0.0 || (modes.size() == 1 && mode.period_s == 0.0)) &&
+             mode.damping_ratio >= 0.0 && mode.mass_share > 0.0;
+    }));
     GLISSADE_EXPECTS(building.yielding[n].yield_acceleration_mps2 > 0.0 &&
                      building.yielding[n].hardening_ratio >= 0.0 &&
                      building.yielding[n].hardening_ratio < 1.0);
@@ -48,7 +59,8 @@ block_detail::Accelerance accelerance(const BuildingContact& contact,
                                       const BiaxialBuilding& building) {
   block_detail::Axes by_axis{};
   for (std::size_t n = 0; n < 2; ++n)
-    if (building.horizontal[n][0].period_s > 0.0) by_axis[n] = building.mass_ratio;
+    if (!building.horizontal[n].rigid())
+      by_axis[n] = building.mass_ratio * building.horizontal[n].accelerance();
   return contact.accelerance(by_axis);
 }
 
@@ -66,23 +78,22 @@ BuildingSlip slide_along(const TwoAxisTrack& track, const BuildingGround& ground
 
   const Excitation excitation(ground, factors);
   const double dt = excitation.dt_s();
-  std::array<Oscillator, 2> oscillators{building.horizontal[0][0].oscillator(),
-                                        building.horizontal[1][0].oscillator()};
+  std::array<Modes, 2> axes;
   int pieces_per_interval = 1;
-  double longest_period_s = 0.0;
+  double longest_period_s = 0.0;  // of the building with the array on its roof, at most
   for (std::size_t n = 0; n < 2; ++n) {
-    Oscillator& oscillator = oscillators[n];
-    if (oscillator.period_s > 0.0) require_no_rigid_spring(oscillator, building.yielding[n], dt);
-    if (is_rigid(oscillator, dt)) oscillator.period_s = 0.0;
-    pieces_per_interval = std::max(pieces_per_interval, pieces(oscillator, dt));
-    longest_period_s = std::max(longest_period_s, oscillator.period_s);
+    const Modes& modes = building.horizontal[n];
+    if (!modes.rigid()) require_no_rigid_spring(modes[0].oscillator(), building.yielding[n], dt);
+    axes[n] = block_detail::responding(modes, dt);
+    pieces_per_interval = std::max(pieces_per_interval, pieces(axes[n], dt));
+    const double carried = building.mass_ratio * axes[n].accelerance();
+    longest_period_s = std::max(longest_period_s, axes[n].period_s() * std::sqrt(1.0 + carried));
   }
-  longest_period_s *= std::sqrt(1.0 + building.mass_ratio);
   const double r = building.mass_ratio, piece_s = dt / pieces_per_interval;
   const BuildingContact contact(block);
   FullModelBody body(contact,
-                     {BuildingAxis(oscillators[0], building.yielding[0], r, piece_s),
-                      BuildingAxis(oscillators[1], building.yielding[1], r, piece_s)},
+                     {BuildingAxis(axes[0], building.yielding[0], r, piece_s),
+                      BuildingAxis(axes[1], building.yielding[1], r, piece_s)},
                      r, pieces_per_interval, tolerance, track);
 
   body.follow(excitation, longest_period_s);
@@ -90,9 +101,9 @@ BuildingSlip slide_along(const TwoAxisTrack& track, const BuildingGround& ground
   BuildingSlip result;
   result.slip = body.result();
   for (std::size_t k = 0; k < 2; ++k) {
-    result.peak_base_shear[k] = body.peaks().resisting[k] / block.gravity_mps2;
-    if (oscillators[k].period_s == 0.0) continue;
-    const double omega = 2.0 * std::numbers::pi / oscillators[k].period_s;
+    result.peak_base_shear[k] = body.peaks().shear[k] / block.gravity_mps2;
+    if (axes[k].rigid()) continue;
+    const double omega = 2.0 * std::numbers::pi / axes[k].period_s();
     result.peak_roof_displacement_m[k] = body.peaks().x[k] / (omega * omega);
   }
   return result;
@@ -114,9 +125,10 @@ void require_finite_scene(const BiaxialBuilding& building, const TwoAxisBlock& b
                        "the factors");
   require_finite({building.mass_ratio}, "mass ratio");
   for (const std::size_t n : {0u, 1u}) {
-    require_finite({building.horizontal[n][0].period_s, building.horizontal[n][0].damping_ratio,
-                    building.yielding[n].hardening_ratio},
-                   "period, damping, hardening");
+    for (const Mode& mode : building.horizontal[n])
+      require_finite({mode.period_s, mode.damping_ratio, mode.participation, mode.mass_share},
+                     "period, damping, participation, mass share");
+    require_finite({building.yielding[n].hardening_ratio}, "hardening");
     require_no_nan(building.yielding[n].yield_acceleration_mps2, "yield acceleration");
   }
   require_finite({block.friction.along, block.friction.across, block.slope_rad, block.azimuth_rad,

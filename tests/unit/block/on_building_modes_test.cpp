@@ -1,0 +1,255 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The full model on buildings of several modes.
+#include <gtest/gtest.h>
+
+#include <numeric>
+
+#include "unit/block/truth_scenes.hpp"
+
+namespace glissade {
+namespace on_building_modes_test {
+
+using test::OnBuilding;
+using test::ShearBuilding;
+using test::TwoAxisTruth;
+
+/// Three storeys, the lightest floor on top, of a first period near 0.45 s.
+ShearBuilding three_storeys(double stiffer = 1.0, double damping_ratio = 0.05) {
+  return {{1.0, 0.8, 0.5}, {700.0 * stiffer, 500.0 * stiffer, 300.0 * stiffer}, damping_ratio};
+}
+
+Modes modes_of(const ShearBuilding& building) {
+  std::vector<Mode> modes = shear_building_modes(building.masses, building.stiffnesses);
+  for (Mode& mode : modes) mode.damping_ratio = building.damping_ratio;
+  return Modes(modes);
+}
+
+/// The first modes of a cantilever, in all some 95 % of its mass.
+Modes cantilever(double period_s, double alpha, std::size_t count) {
+  return Modes(cantilever_modes(period_s, alpha, count));
+}
+
+struct StoreyScene {
+  OnBuilding scene;
+  std::array<ShearBuilding, 2> storeys;
+
+  StoreyScene(unsigned seed, double mass_ratio, bool two_axes) : scene(seed, 160, 9.0) {
+    scene.dt_s = 0.01;
+    scene.building = {};
+    scene.building.mass_ratio = mass_ratio;
+    storeys[0] = three_storeys();
+    if (two_axes) storeys[1] = three_storeys(0.6, 0.03);
+    for (std::size_t n = 0; n < (two_axes ? 2u : 1u); ++n)
+      scene.building.horizontal[n] = modes_of(storeys[n]);
+    if (!two_axes) scene.second.clear();
+    if (!two_axes) scene.block.azimuth_rad = 0.0;
+  }
+  TwoAxisTruth truth() const {
+    test::TruthScene as = test::as_truth(scene);
+    as.storeys = storeys;
+    return TwoAxisTruth(as);
+  }
+};
+
+// The truth has the full matrices of mass, damping and stiffness, and no modes.
+TEST(slide_on_modes, three_storeys_are_their_full_matrices) {
+  int slid = 0;
+  for (const bool two_axes : {false, true})
+    for (const double mass_ratio : {0.0, 0.1, 0.4})  // times sum of gamma^2 / e, 4.6
+      for (const bool ellipse : {false, true}) {
+        StoreyScene s(slid % 2 == 0 ? 3 : 8, mass_ratio, two_axes);
+        if (ellipse) s.scene.block.friction.across *= 0.7;
+        if (ellipse && two_axes) s.scene.block.law = {1.2, 1.3, 100.0};
+        SCOPED_TRACE(testing::Message() << two_axes << ' ' << mass_ratio << ' ' << ellipse);
+        const TwoAxisTruth truth = s.truth();
+        const BuildingSlip r = s.scene.result();
+        EXPECT_LT(test::error_of(r.slip, truth), mass_ratio > 0.1 ? 3e-5 : 1.1e-5);
+        s.scene.tolerance = 1e-10;
+        EXPECT_LT(test::error_of(s.scene.result().slip, truth), 2e-7);
+        slid += truth.peak_m > 1e-3L ? 1 : 0;
+        // Of the building while the block slides, where that is its largest.
+        for (std::size_t n = 0; n < (two_axes ? 2u : 1u); ++n) {
+          const auto shear = static_cast<double>(truth.sliding_shear[n]) / standard_gravity_mps2,
+                     roof_m = static_cast<double>(truth.sliding_roof_m[n]);
+          EXPECT_GT(r.peak_base_shear[n], 0.998 * shear);
+          EXPECT_GT(r.peak_roof_displacement_m[n], 0.998 * roof_m);
+        }
+      }
+  EXPECT_GE(slid, 10);
+}
+
+// Sliding from the first sample to the end: what the building does is all seen at steps of sliding.
+TEST(slide_on_modes, base_shear_and_roof_displacement_are_those_of_the_full_matrices) {
+  for (const std::size_t count : {2u, 3u}) {
+    StoreyScene s(5, 0.4, true);
+    s.scene.block.friction = {0.02, 0.02};
+    s.scene.block.slope_rad = 0.0;
+    const TwoAxisTruth truth = s.truth();
+    for (Modes& axis : s.scene.building.horizontal)
+      axis = Modes(std::span<const Mode>(axis.begin(), count));
+    const BuildingSlip r = s.scene.result();
+    const double permitted = count == 3 ? 2e-3 : 0.1;  // the third mode moves with the ground
+    for (std::size_t n = 0; n < 2; ++n) {
+      const auto shear = static_cast<double>(truth.sliding_shear[n]) / standard_gravity_mps2,
+                 roof_m = static_cast<double>(truth.sliding_roof_m[n]);
+      EXPECT_NEAR(r.peak_base_shear[n], shear, permitted * shear);
+      EXPECT_NEAR(r.peak_roof_displacement_m[n], roof_m, permitted * roof_m);
+    }
+  }
+}
+
+// On a flat roof without friction it stays where it is: its slip is the motion of the roof.
+TEST(slide_on_modes, without_friction_slip_is_the_sum_over_the_modes) {
+  OnBuilding scene;
+  scene.second.clear();
+  scene.block = {};
+  scene.tolerance = 1e-9;
+  scene.building = {{cantilever(0.6, 5.0, 4), Modes()}, {}, 0.3};
+  const double all = scene.result().slip.residual.along_m;
+  const auto along = [&](const Modes& axis) {
+    OnBuilding one = scene;
+    one.building = {{axis, Modes()}, {}, 0.0};
+    return one.result().slip.residual.along_m;
+  };
+  const Modes& modes = scene.building.horizontal[0];
+  double sum = modes.ground_share() * along(Modes()), size = std::abs(sum);
+  for (const Mode& mode : modes) {
+    const double part = mode.participation * along(mode.oscillator());
+    sum += part;
+    size += std::abs(part);
+  }
+  EXPECT_NEAR(all, sum, 1e-7 * size);
+}
+
+// Undamped, both buildings have normal modes: those with M, and those with M + m at the roof. Both
+// are followed over a minute after the record.
+TEST(slide_on_modes, with_the_array_stuck_they_are_those_with_its_mass_on_the_roof) {
+  for (const double ratio : {0.1, 0.5}) {
+    OnBuilding scene(2, 300, 4.0);
+    scene.second.clear();
+    scene.first.resize(12000, 0.0);
+    scene.first.back() = 1e-9;
+    scene.block.friction = {5.0, 5.0};
+    ShearBuilding building = three_storeys(1.0, 0.0);
+    scene.building = {{modes_of(building), Modes()}, {}, ratio};
+    const BuildingSlip carries = scene.result();
+    EXPECT_EQ(carries.slip.slip_phases, 0u);
+    building.masses.back() +=
+        ratio * std::accumulate(building.masses.begin(), building.masses.end(), 0.0);
+    scene.building = {{modes_of(building), Modes()}, {}, 0.0};
+    const BuildingSlip heavier = scene.result();
+    EXPECT_NEAR(carries.peak_roof_displacement_m[0], heavier.peak_roof_displacement_m[0],
+                1e-9 * heavier.peak_roof_displacement_m[0]);
+    const double shear = (1.0 + ratio) * heavier.peak_base_shear[0];
+    EXPECT_NEAR(carries.peak_base_shear[0], shear, 1e-9 * shear);
+  }
+}
+
+std::vector<double> numbers(const BuildingSlip& r) {
+  return {r.slip.peak_displacement_m,    r.slip.residual.along_m,
+          r.slip.residual.across_m,      r.slip.path_length_m,
+          r.slip.peak_velocity_mps,      static_cast<double>(r.slip.slip_phases),
+          r.peak_base_shear[0],          r.peak_base_shear[1],
+          r.peak_roof_displacement_m[0], r.peak_roof_displacement_m[1]};
+}
+
+TEST(slide_on_modes, one_mass_among_modes_without_participation_is_one_mass_to_the_bit) {
+  for (const double mass_ratio : {0.0, 0.2}) {
+    OnBuilding scene;
+    scene.building.mass_ratio = mass_ratio;
+    const std::vector<double> one = numbers(scene.result());
+    for (Modes& axis : scene.building.horizontal) {
+      const double period_s = axis.period_s();
+      const Mode among[] = {
+          {2.0 * period_s, 0.0, 0.1, 0.02}, {period_s, 1.0, 1.0, 0.05}, {0.05, 0.0, 0.1, 0.0}};
+      axis = Modes(among);
+    }
+    EXPECT_EQ(numbers(scene.result()), one);
+    EXPECT_GT(one[0], 1e-3);
+  }
+}
+
+// The general equations with one mass in them: a second mode takes no part.
+TEST(slide_on_modes, a_mode_of_hardly_any_participation_changes_hardly_anything) {
+  OnBuilding scene;
+  scene.tolerance = 1e-9;
+  const BuildingSlip one = scene.result();
+  for (Modes& axis : scene.building.horizontal) {
+    const Mode beside[] = {{axis.period_s(), 1.0, 1.0, 0.05}, {0.1, 1e-12, 1e-6, 0.05}};
+    axis = Modes(beside);
+  }
+  const BuildingSlip two = scene.result();
+  EXPECT_NEAR(two.slip.peak_displacement_m, one.slip.peak_displacement_m,
+              1e-8 * one.slip.peak_displacement_m);
+  EXPECT_EQ(two.slip.slip_phases, one.slip.slip_phases);
+  for (std::size_t n = 0; n < 2; ++n) {
+    EXPECT_NEAR(two.peak_base_shear[n], one.peak_base_shear[n], 1e-5 * one.peak_base_shear[n]);
+    EXPECT_NEAR(two.peak_roof_displacement_m[n], one.peak_roof_displacement_m[n],
+                1e-8 * one.peak_roof_displacement_m[n]);
+  }
+}
+
+OnBuilding on_cantilevers(double mass_ratio) {
+  OnBuilding scene;
+  scene.building = {{cantilever(0.6, 5.0, 4), cantilever(0.4, 10.0, 3)}, {}, mass_ratio};
+  return scene;
+}
+
+TEST(slide_on_modes, mirrors_and_scales_exactly) {
+  for (const double mass_ratio : {0.0, 0.2}) {
+    const OnBuilding scene = on_cantilevers(mass_ratio);
+    const std::vector<double> one = numbers(scene.result());
+    EXPECT_GT(one[0], 1e-3);
+    OnBuilding mirrored = scene;
+    mirrored.block.azimuth_rad = -scene.block.azimuth_rad;
+    for (double& a : mirrored.second) a = -a;
+    std::vector<double> image = numbers(mirrored.result());
+    image[2] = -image[2];
+    EXPECT_EQ(image, one);
+    OnBuilding stronger = scene;
+    stronger.factor *= 4.0;
+    stronger.block.gravity_mps2 *= 4.0;
+    std::vector<double> more = numbers(stronger.result());
+    for (const std::size_t k : {0u, 1u, 2u, 3u, 4u, 8u, 9u}) more[k] /= 4.0;
+    EXPECT_EQ(more, one);
+  }
+}
+
+TEST(slide_on_modes, zeros_after_the_record_change_not_a_bit) {
+  OnBuilding scene = on_cantilevers(0.1);
+  const std::vector<double> one = numbers(scene.result());
+  for (auto* samples : {&scene.first, &scene.second, &scene.up})
+    samples->insert(samples->end(), 300, 0.0);
+  EXPECT_EQ(numbers(scene.result()), one);
+}
+
+TEST(slide_on_modes, a_mode_that_the_record_cannot_excite_moves_with_the_ground) {
+  OnBuilding scene = on_cantilevers(0.1);
+  std::vector<Mode> modes(scene.building.horizontal[0].begin(), scene.building.horizontal[0].end());
+  modes.push_back({scene.dt_s / 20.0, 0.3, 0.02, 0.05});
+  const std::vector<double> one = numbers(scene.result());
+  scene.building.horizontal[0] = Modes(modes);
+  EXPECT_EQ(numbers(scene.result()), one);
+}
+
+TEST(slide_on_modes, coupling_is_regular_as_of_a_mass_ratio_times_their_accelerance) {
+  const Modes axis = cantilever(0.6, 5.0, 5);
+  for (const double mu : {0.5, 2.7, 2.9, 4.0})
+    for (const double ratio : {0.02, 0.1, 0.2}) {
+      const TwoAxisBlock block{{mu, mu}, 0.6, 0.3};
+      EXPECT_EQ(coupling_is_regular(block, {{axis, axis}, {}, ratio}),
+                coupling_is_regular(
+                    block, {{Oscillator{0.5}, Oscillator{0.5}}, {}, ratio * axis.accelerance()}));
+    }
+}
+
+#ifdef GLISSADE_CONTRACTS
+TEST(slide_on_modes, do_not_yield) {
+  OnBuilding scene = on_cantilevers(0.0);
+  scene.building.yielding[1] = {2.0, 0.05};
+  EXPECT_THROW(scene.result(), std::logic_error);
+}
+#endif
+
+}  // namespace on_building_modes_test
+}  // namespace glissade
