@@ -14,6 +14,7 @@
 #include "glissade/fragility/hazard.hpp"
 #include "glissade/motion/improbable.hpp"
 #include "glissade/sampling/pull_test.hpp"
+#include "glissade/standards/floor_acceleration.hpp"
 #include "glissade/study/plan/one_mass.hpp"
 
 namespace glissade {
@@ -65,6 +66,20 @@ std::vector<DesignCheck> spectrum_checks(const Project& project, const Results& 
        fmt::format("{:g} or more (ASCE 7-16, 16.2, recalled)", least_over_target_beyond),
        ratio >= least_over_target_beyond - rounding});
   return checks;
+}
+
+/// Weaker motions of a roof are of a model that is too simple, or of a weaker earthquake.
+DesignCheck roof_check(const DesignClearance& design) {
+  constexpr double least = 0.5;
+  const double by_code_g = asce7_16_floor_acceleration_g(design.site.sds_g);
+  return {
+      "median peak acceleration of the roof's motions at DBE",
+      fmt::format("{:.3f} g, {:.2f} times that of ASCE 7-16", design.peak_roof_g,
+                  design.peak_roof_g / by_code_g),
+      fmt::format("{:g} or more of the {:.3f} g that ASCE 7-16 has for a roof, 1.2 S_DS (13.3.1, "
+                  "recalled); the limit is of this program",
+                  least, by_code_g),
+      design.peak_roof_g >= least * by_code_g};
 }
 
 constexpr double most_rounding_m = foot_m;
@@ -220,18 +235,20 @@ std::vector<std::string> choices_of(const Project& project) {
       "(recalled: verify) requires a ground motion hazard analysis is not checked");
   const std::string unchecked = unchecked_spectrum(project.site);
   add(!unchecked.empty(), unchecked);
-  add(!project.site.states_tl && project.site.target.period_s.empty(),
+  add(!project.of_roof && !project.site.states_tl && project.site.target.period_s.empty(),
       fmt::format("site.tl_s is not stated: T_L = {:g} s is assumed", project.site.target.tl_s));
   add(project.friction.mean < 2.0 * project.friction.std,
       fmt::format("mean - 2 std of the friction is {:.3g}: 0 is taken",
                   project.friction.mean - 2.0 * project.friction.std));
-  for (std::string& text : improbable_values(project.building, project.units))
-    texts.push_back(std::move(text));
   const auto add_found = [&](const std::string& text) { add(!text.empty(), text); };
-  add_found(gaps_between(project.building.period_s));
-  add_found(improbable_mass_ratio(project.building.mass_ratio.back()));
-  add_found(improbable_damping(project.building.damping));
-  add_found(one_mass_sentence(project.building.storeys, project.building.period_s.back()));
+  if (!project.of_roof) {
+    for (std::string& text : improbable_values(project.building, project.units))
+      texts.push_back(std::move(text));
+    add_found(gaps_between(project.building.period_s));
+    add_found(improbable_mass_ratio(project.building.mass_ratio.back()));
+    add_found(improbable_damping(project.building.damping));
+    add_found(one_mass_sentence(project.building.storeys, project.building.period_s.back()));
+  }
   for (const auto& available_m : project.available_m)
     add(available_m && *available_m > largest_probable_clearance_m,
         fmt::format("a clearance of {} is more than a roof has",
@@ -331,7 +348,8 @@ std::string not_met_text(const DesignCheck& check) {
 
 std::vector<DesignCheck> checks_of(const Project& project, const Results& demand,
                                    const DesignClearance& design) {
-  std::vector<DesignCheck> checks = spectrum_checks(project, demand);
+  std::vector<DesignCheck> checks = project.of_roof ? std::vector<DesignCheck>{roof_check(design)}
+                                                    : spectrum_checks(project, demand);
   const std::size_t records = demand.records.size();
   std::vector<std::string> without_vertical;
   for (const RecordSummary& record : demand.records) {
@@ -360,10 +378,13 @@ std::vector<DesignCheck> checks_of(const Project& project, const Results& demand
       return record.dt_s * static_cast<double>(record.samples) < least_s;
     };
     const auto too_short = std::ranges::count_if(demand.records, is_short);
-    checks.push_back({"records shorter than 30 s", fmt::format("{} of {}", too_short, records),
-                      "none: " + analysis_provision(project.standard) +
-                          "; here the motions are of the ground, and the roof's are computed",
-                      too_short == 0});
+    checks.push_back(
+        {"records shorter than 30 s", fmt::format("{} of {}", too_short, records),
+         "none: " + analysis_provision(project.standard) +
+             (project.of_roof
+                  ? ""
+                  : "; here the motions are of the ground, and the roof's are computed"),
+         too_short == 0});
   }
   const bool finite = std::ranges::all_of(
       design.demand, [](const PeriodDemand& d) { return std::isfinite(d.largest_m); });
@@ -395,6 +416,7 @@ std::vector<std::string> warnings_on(const Project& project, const Results& dema
           mu.value, mu.what, both_units(clearance_m, project.units)));
   }
   const bool moves = design.demand.back().largest_m > 0.0 || design.analysis_m > 0.0;
+  if (project.of_roof) return warnings;
   if (moves && design.demand.size() == 1) {
     warnings.push_back(fmt::format(
         "one building period is given, {:.3g} s: at others the displacement may be larger",

@@ -12,6 +12,7 @@
 #include "glissade/design/of_project.hpp"
 #include "glissade/fragility/share.hpp"
 #include "glissade/motion/improbable.hpp"
+#include "glissade/study/analysis/exceeded_displacement.hpp"
 
 namespace glissade {
 namespace {
@@ -158,6 +159,15 @@ std::vector<Sensitivity> sensitivity_of(const Project& project, const Results& d
   return std::move(table).rows();
 }
 
+/// Of the motions at DBE; each the geometric mean of its horizontal components.
+double median_peak_g(const Results& demand) {
+  std::vector<double> peaks_g;
+  for (const RecordSummary& r : demand.records)
+    peaks_g.push_back(demand.levels.front() * r.factor_at_unit_level * r.pga_g);
+  std::ranges::sort(peaks_g);
+  return quantile_of(peaks_g, 0.5);
+}
+
 }  // namespace
 
 double required_m(const Project& project, const Results& demand, double friction) {
@@ -173,8 +183,9 @@ DesignClearance design_clearance(const Project& project, const Results& demand) 
   constexpr std::size_t levels = 2;  // DBE and MCE
   expect_of_project(demand.clearance && demand.conditions && demand.levels.size() == levels &&
                         demand.suites.size() == 1 &&
-                        !demand.suites.front().spectra.target_g.empty(),
-                    "displacements of one suite with a target at DBE and MCE");
+                        (project.of_roof ? demand.suites.front().of_roof
+                                         : !demand.suites.front().spectra.target_g.empty()),
+                    "displacements of one suite, of the ground with a target, at DBE and MCE");
   const SuiteMean& governing = governing_mean(project, demand, project.friction.design());
   const Inputs inputs = inputs_of(demand, governing);
 
@@ -186,6 +197,7 @@ DesignClearance design_clearance(const Project& project, const Results& demand) 
   design.factor = demand.clearance->factor;
   design.of_largest = demand.records.size() < least_records;
   design.analysis_m = required_m(demand, governing);
+  if (project.of_roof) design.peak_roof_g = median_peak_g(demand);
   design.demand = largest_demands(project, demand);
   for (const PeriodDemand& d : design.demand)
     design.median_analysis_m =
@@ -213,27 +225,29 @@ DesignClearance design_clearance(const Project& project, const Results& demand) 
 namespace {
 
 /// Beyond the MCE, of which the demand study gives it.
-void warn_of_uplift(const Results& probability, DesignClearance& design) {
+void warn_of_uplift(const Project& project, const Results& probability, DesignClearance& design) {
   const HistoryTable& histories = probability.histories;
   if (histories.fields.uplift.empty()) return;
   for (std::size_t level = 0; level < probability.levels.size(); ++level) {
-    const double level_g = probability.levels[level];
-    if (level_g <= mce_over_dbe * design.site.sds_g) continue;
+    const double intensity = probability.levels[level];
+    if (intensity <= mce_over_dbe * dbe_level(project)) continue;
     const std::size_t lifted = records_with_uplift(probability, level).size();
     if (lifted == 0) continue;
     design.warnings.push_back(fmt::format(
-        "from S_DS = {:.3g} g on the array lifts off under some records ({} of {} there), which is "
+        "from {} on the array lifts off under some records ({} of {} there), which is "
         "outside the model: probabilities and annual rates of stronger shaking are of an array "
         "without friction while lifted",
-        level_g, lifted, probability.records.size()));
+        project.of_roof ? fmt::format("a factor of {:.3g}", intensity)
+                        : fmt::format("S_DS = {:.3g} g", intensity),
+        lifted, probability.records.size()));
     return;
   }
 }
 
 /// At each building period.
 std::vector<ExceedanceAt> exceedance_of(const Results& probability, double displacement_m,
-                                        const std::string& name, double sds_g) {
-  const double& level = found_in(probability.levels, sds_g, "the level of " + name);
+                                        const std::string& name, double intensity) {
+  const double& level = found_in(probability.levels, intensity, "the level of " + name);
   const auto at = static_cast<std::size_t>(&level - probability.levels.data());
   std::vector<ExceedanceAt> found;
   for (const RunResults& run : probability.runs) {
@@ -273,10 +287,19 @@ double allowed_m(const Separation& separation, const std::optional<double>& avai
   return displacement_m > largest_probable_clearance_m ? 0.0 : displacement_m;
 }
 
-QuantileDisplacement accepted_displacement(const Results& probability, double sds_g) {
+QuantileDisplacement accepted_displacement(const Project& project, const Results& probability) {
+  const double dbe = dbe_level(project);
+  if (project.of_roof) {
+    const RunResults& run = probability.runs.front();
+    const double& level = found_in(probability.levels, dbe, "the level of DBE");
+    const ExceededDisplacement accepted = exceeded_displacement(
+        probability, {run.first_case, run.cases},
+        static_cast<std::size_t>(&level - probability.levels.data()), accepted_exceedance);
+    return {accepted.value_m, accepted.interval};
+  }
   expect_of_project(probability.verdict.has_value(), "a verdict");
   const VerdictRow& row =
-      found_in(probability.verdict->rows, sds_g, "a verdict at DBE", &VerdictRow::sds_g);
+      found_in(probability.verdict->rows, dbe, "a verdict at DBE", &VerdictRow::sds_g);
   expect_of_project(!row.displacement_m.empty(), "a displacement that is accepted");
   return {row.displacement_m.front(), row.displacement_interval.front()};
 }
@@ -299,13 +322,13 @@ void add_exceedance(const Project& project, const Results& probability, DesignCl
   expect_of_project(
       !probability.runs.empty() && (!probability.hazard || !probability.hazard->runs.empty()),
       "probabilities");
-  warn_of_uplift(probability, design);
-  const double sds_g = design.site.sds_g, sms_g = mce_over_dbe * sds_g;
+  warn_of_uplift(project, probability, design);
+  const double dbe_intensity = dbe_level(project), mce_intensity = mce_over_dbe * dbe_intensity;
   const auto compare = [&](double displacement_m, std::optional<std::size_t> separation) {
-    const auto at = [&](const char* name, double level_g) {
-      return exceedance_of(probability, displacement_m, name, level_g);
+    const auto at = [&](const char* name, double intensity) {
+      return exceedance_of(probability, displacement_m, name, intensity);
     };
-    const std::vector<ExceedanceAt> dbe = at("DBE", sds_g), mce = at("MCE", sms_g);
+    const std::vector<ExceedanceAt> dbe = at("DBE", dbe_intensity), mce = at("MCE", mce_intensity);
     if (!separation)
       for (const auto& by_period : {dbe, mce})
         design.exceedance.insert(design.exceedance.end(), by_period.begin(), by_period.end());
@@ -319,7 +342,7 @@ void add_exceedance(const Project& project, const Results& probability, DesignCl
     if (const double displacement_m = allowed_m(s.required, s.available_m); displacement_m > 0.0)
       compare(displacement_m, i);
   }
-  design.accepted = accepted_displacement(probability, sds_g);
+  design.accepted = accepted_displacement(project, probability);
   const ExceedanceAt& at_dbe = design.compared.front().dbe;
   const bool is_rare = at_dbe.probability <= accepted_exceedance;
   design.checks.push_back(

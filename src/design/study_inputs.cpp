@@ -37,7 +37,7 @@ std::vector<double> mass_ratios_of(const Project& project) {
   constexpr double of_none = 0.05, most = 1.0;
   std::vector<double> ratios = project.building.mass_ratio;
   const double more = ratios.back() > 0.0 ? 2.0 * ratios.back() : of_none;
-  if (ratios.size() == 1 && more <= most) ratios.push_back(more);
+  if (!project.of_roof && ratios.size() == 1 && more <= most) ratios.push_back(more);
   return ratios;
 }
 
@@ -48,16 +48,21 @@ std::vector<double> periods_of(const Project& project) {
   return periods_s;
 }
 
+double dbe_level(const Project& project) {
+  return project.of_roof ? project.roof_factor : site_values(project.site).sds_g;
+}
+
 std::vector<double> levels_of(const Project& project) {
   std::vector<double> shares = {0.25, 0.5, 0.75, 1.0};
   if (project.hazard)
     shares = {0.1,  0.15, 0.2,  0.25, 0.28, 0.31, 0.35, 0.4,
               0.45, 0.5,  0.56, 0.63, 0.71, 0.8,  0.9,  1.0};
   shares.insert(shares.end(), {1.25, mce_over_dbe, 2.0, 2.5, 3.0, 3.75});
-  const double sds_g = site_values(project.site).sds_g;
+  const double dbe = dbe_level(project);
   std::vector<double> levels;
   for (const double share : shares) {
-    if (share <= mce_over_dbe || share * sds_g <= most_probable_g) levels.push_back(share * sds_g);
+    if (share <= mce_over_dbe || project.of_roof || share * dbe <= most_probable_g)
+      levels.push_back(share * dbe);
   }
   return levels;
 }

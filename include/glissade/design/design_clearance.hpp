@@ -63,8 +63,8 @@ struct Sensitivity {
 
 /// Probability that the displacement exceeds the governing one, at one building period.
 struct ExceedanceAt {
-  std::string level;  ///< "DBE"
-  double sds_g = 0.0, period_s = 0.0;
+  std::string level;                       ///< "DBE"
+  double intensity = 0.0, period_s = 0.0;  ///< as dbe_level()
   double probability = 0.0;
   /// 95 %, from resampling records, and never narrower than that of a binomial without (or with
   /// nothing but) exceedances in as many trials as there are records.
@@ -100,6 +100,7 @@ struct DesignClearance {
   double slope_deg = 0.0, mass_ratio = 0.0, period_s = 0.0;  ///< of the governing case
   VerticalChoice vertical = VerticalChoice::if_available;    ///< likewise
   std::vector<PeriodDemand> demand;                          ///< by period
+  double peak_roof_g = 0.0;  ///< of the motions of a roof at DBE, their median
   double factor = 1.1;
   bool of_largest = false;  ///< fewer than 7 records: the largest counts in place of the mean
   double analysis_m = 0.0;  ///< factor x the largest mean over orientations and periods
@@ -161,7 +162,10 @@ std::vector<double> slopes_of(const Project& project);
 std::vector<double> mass_ratios_of(const Project& project);
 /// Those of the project, and of one above 0 also 0.9 and 1.1 times that, for the sensitivity, s.
 std::vector<double> periods_of(const Project& project);
-/// Levels of S_DS of the probability study, g: from a quarter of that of the site to 3.75 times it
+/// The intensity of the design earthquake (DBE) in the studies: S_DS, g, or the factor on the
+/// motions of a roof. That of the MCE is mce_over_dbe times it.
+double dbe_level(const Project& project);
+/// Levels of the probability study: from a quarter of that of the DBE to 3.75 times it
 /// (most_probable_g at most), DBE and MCE among them. With a hazard curve from a tenth of it, where
 /// nothing slides, in small steps where slip begins: what adds up over a design life comes from
 /// there.

@@ -28,7 +28,7 @@ struct ProjectSite {
 };
 
 struct ProjectBuilding {
-  std::vector<double> period_s;                ///< increasing, > 0
+  std::vector<double> period_s;                ///< increasing, > 0; of a roof's motions {0}
   std::string period_basis;                    ///< "given", or the equation with its numbers
   std::optional<double> height_m;              ///< where the period comes from it
   std::optional<double> approximate_period_s;  ///< T_a of that height
@@ -86,6 +86,10 @@ struct Project {
   std::string spectrum_file;  ///< of a target by points, relative to the project file
   std::string spectrum_sha256;
   std::filesystem::path suite;  ///< suite file
+  /// The motions of the suite are those of the roof: no building is computed, and its period and
+  /// mass ratio are 0.
+  bool of_roof = false;
+  double roof_factor = 1.0;     ///< on the motions of a roof, at the design earthquake
   bool without_target = false;  ///< also one that falls short at periods above 2 s
   std::uint64_t samples = 128, seed = 1;
   std::optional<ProjectHazard> hazard;

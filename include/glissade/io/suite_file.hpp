@@ -19,6 +19,10 @@ namespace glissade {
 /// files (all of them), unreadable records.
 Suite load_suite(const std::filesystem::path& file);
 
+/// What the head of a suite file says, without its records: motions = "roof". Throws InputError
+/// where the file is not TOML.
+bool has_roof_motions(const std::filesystem::path& suite_file);
+
 /// A design target, and the file of one by points.
 struct StatedTarget {
   DesignTarget target;

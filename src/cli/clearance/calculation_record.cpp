@@ -44,10 +44,12 @@ void add_results(CalculationJson& json, const DesignClearance& design) {
                                          : CalculationJson()}});
 }
 
-CalculationJson json_of(const ExceedanceAt& e) {
-  return {{"level", e.level},        {"sds_g", e.sds_g},
-          {"period_s", e.period_s},  {"probability", e.probability},
-          {"low95", e.interval.low}, {"high95", e.interval.high}};
+CalculationJson json_of(const ExceedanceAt& e, bool of_roof) {
+  CalculationJson json{{"level", e.level}, {of_roof ? "factor" : "sds_g", e.intensity}};
+  if (!of_roof) json["period_s"] = e.period_s;
+  json.update(
+      {{"probability", e.probability}, {"low95", e.interval.low}, {"high95", e.interval.high}});
+  return json;
 }
 
 CalculationJson prescribed_json(const PrescribedValue& value) {
@@ -66,31 +68,35 @@ std::string numbers_json(const CalculationPackage& package) {
   CalculationJson json{{"sds_g", design.site.sds_g},
                        {"sd1_g", design.site.sd1_g},
                        {"seismic_design_category", to_string(design.site.category)},
-                       {"slope_deg", design.slope_deg},
-                       {"mass_ratio", design.mass_ratio},
-                       {"period_s", design.period_s},
-                       {"analysis_m", design.analysis_m},
-                       {"least_value_m", design.floor_m}};
+                       {"slope_deg", design.slope_deg}};
+  const bool of_roof = package.project.of_roof;
+  if (of_roof)
+    json.update({{"motions", "roof"},
+                 {"factor", package.project.roof_factor},
+                 {"peak_roof_acceleration_g", design.peak_roof_g}});
+  else
+    json.update({{"mass_ratio", design.mass_ratio}, {"period_s", design.period_s}});
+  json.update({{"analysis_m", design.analysis_m}, {"least_value_m", design.floor_m}});
   add_results(json, design);
   for (const PrescribedValue& value : design.prescribed)
     json["prescribed"].push_back(prescribed_json(value));
-  for (const PeriodDemand& d : design.demand)
-    json["demand"].push_back({{"period_s", d.period_s},
-                              {"mean_m", d.mean_m},
-                              {"p84_m", d.p84_m},
-                              {"p95_m", d.p95_m},
-                              {"largest_m", d.largest_m}});
+  for (const PeriodDemand& d : design.demand) {
+    CalculationJson& row = json["demand"].emplace_back(CalculationJson::object());
+    if (!of_roof) row["period_s"] = d.period_s;
+    row.update(
+        {{"mean_m", d.mean_m}, {"p84_m", d.p84_m}, {"p95_m", d.p95_m}, {"largest_m", d.largest_m}});
+  }
   for (const Sensitivity& s : design.sensitivity)
     json["sensitivity"].push_back(
         {{"input", s.what}, {"value", s.value}, {"required_m", s.clearance_m}});
-  for (const ExceedanceAt& e : design.exceedance) json["exceedance"].push_back(json_of(e));
+  for (const ExceedanceAt& e : design.exceedance) json["exceedance"].push_back(json_of(e, of_roof));
   for (const DisplacementExceedance& row : design.compared) {
     const char* governing = "governing displacement";
     CalculationJson compared{
         {"what", row.separation ? design.separations[*row.separation].required.what : governing},
         {"displacement_m", row.displacement_m},
-        {"dbe", json_of(row.dbe)},
-        {"mce", json_of(row.mce)}};
+        {"dbe", json_of(row.dbe, of_roof)},
+        {"mce", json_of(row.mce, of_roof)}};
     if (row.rate) compared["annual_rate"] = row.rate->annual_rate.value;
     json["compared"].push_back(std::move(compared));
   }

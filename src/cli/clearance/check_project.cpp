@@ -65,8 +65,11 @@ std::string range_text(const std::vector<double>& values) {
 void print_inputs(const Project& project) {
   const ProjectBuilding& building = project.building;
   put("{:<12}{}\n", "building",
-      wrapped(fmt::format("period {} s ({}), mass ratio {}", range_text(building.period_s),
-                          building.period_basis, range_text(building.mass_ratio)),
+      wrapped(project.of_roof
+                  ? fmt::format("none is computed: the motions are those of its roof, factor {:g}",
+                                project.roof_factor)
+                  : fmt::format("period {} s ({}), mass ratio {}", range_text(building.period_s),
+                                building.period_basis, range_text(building.mass_ratio)),
               terminal_width, 12));
   put("{:<12}slope {} degrees\n", "roof", range_text(project.slope_deg));
   const std::vector<Separation> separations = separations_of(project.standard, 1.0);

@@ -2,6 +2,7 @@
 #include "glissade/io/project_file.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
@@ -14,6 +15,7 @@
 #include "glissade/design/design_clearance.hpp"
 #include "glissade/io/pull_test_file.hpp"
 #include "glissade/io/sha256.hpp"
+#include "glissade/io/suite_file.hpp"
 #include "glissade/motion/improbable.hpp"
 #include "glissade/motion/suite_scaling.hpp"
 #include "glissade/sampling/friction_statistics.hpp"
@@ -46,8 +48,13 @@ bool is_replaced(const TomlTable& table, const std::string& key) {
   return false;
 }
 
+/// A key of a building below the roof.
+bool is_below_roof(const GrammarKey& row) {
+  return row.table == "building" && row.key != "storeys";
+}
+
 /// Everything that is missing, at once.
-void require_keys(const TomlTable& root) {
+void require_keys(const TomlTable& root, bool of_roof) {
   const auto require = [&](const char* table, const char* key) {
     const TomlTable at = root.table(table);
     (at.exists() ? at : root)
@@ -56,7 +63,8 @@ void require_keys(const TomlTable& root) {
   };
   for (const GrammarKey& row : project_grammar()) {
     const TomlTable table = root.table(row.table);
-    if (row.usual == required && !table.has(row.key) && !is_replaced(table, row.name()))
+    if (row.usual == required && !table.has(row.key) && !is_replaced(table, row.name()) &&
+        !(of_roof && is_below_roof(row)))
       require(row.table.c_str(), row.key.c_str());
   }
   const auto together = [&](const char* name, const char* one, const char* other) {
@@ -168,7 +176,30 @@ void periods_of_system(const TomlTable& table, const Project& project, ProjectBu
       bounds[0], bounds[1]);
 }
 
+constexpr NumberRule storeys_rule{"1, 2, 3 or more",
+                                  [](double x) { return x >= 1.0 && std::floor(x) == x; }};
+
+/// Of a building whose roof the motions are of.
+ProjectBuilding read_building_below(const TomlTable& table) {
+  std::vector<std::string> given;
+  for (const GrammarKey& row : project_grammar())
+    if (is_below_roof(row) && table.has(row.key)) given.push_back(row.name());
+  if (!given.empty()) {
+    table.report("",
+                 fmt::format("the suite has motions of the roof, and {} {} of a building below it",
+                             fmt::join(given, ", "), given.size() == 1 ? "is" : "are"),
+                 "leave out all of [building] but storeys: the building is in the motions");
+    table.ignore_unknown();
+  }
+  return {.period_s = {0.0},
+          .period_basis = "in the motions of the roof",
+          .storeys = table.number("storeys", storeys_rule),
+          .mass_ratio = {0.0},
+          .mass_basis = "the array does not act back on the roof"};
+}
+
 ProjectBuilding read_building(const TomlTable& table, const Project& project) {
+  if (project.of_roof) return read_building_below(table);
   ProjectBuilding building;
   if (table.has("period_s") && table.has("system"))
     table.report("period_s", "building.period_s and building.system are both given",
@@ -206,8 +237,7 @@ ProjectBuilding read_building(const TomlTable& table, const Project& project) {
   } else {
     building.mass_ratio = read_values(table, "mass_ratio", to_one);
   }
-  building.storeys = table.number(
-      "storeys", {"1, 2, 3 or more", [](double x) { return x >= 1.0 && std::floor(x) == x; }});
+  building.storeys = table.number("storeys", storeys_rule);
   building.damping =
       table.number("damping", {"from 0 to 0.999", [](double x) { return x >= 0.0 && x <= 0.999; }})
           .value_or(building.damping);
@@ -321,15 +351,27 @@ ProjectArray read_array(const TomlTable& table) {
           table.number("interconnection", not_negative)};
 }
 
+void read_suite(const TomlTable& suite, Project& project) {
+  project.suite = (project.file.parent_path() / suite.text("file").value_or("")).lexically_normal();
+  std::error_code error;
+  const bool is_there = suite.has("file") && fs::is_regular_file(project.suite, error);
+  if (suite.has("file") && !is_there)
+    suite.report("file", "there is no suite " + project.suite.string(),
+                 "give the path of a suite file, relative to the project file (suites/README.md)");
+  project.of_roof = is_there && has_roof_motions(project.suite);
+  project.roof_factor = suite.number("factor", above_zero).value_or(1.0);
+  if (is_there && !project.of_roof && suite.has("factor"))
+    suite.report("factor", "suite.factor is on motions of a roof, and the suite is of the ground",
+                 "leave it out: the site gives the factor on ground motions");
+}
+
 void read_rest(const TomlTable& root, Project& project) {
   project.array = read_array(root.table("array"));
   project.hazard = read_project_hazard(root.table("hazard"), project.file.parent_path());
-  const TomlTable suite = root.table("suite");
-  project.suite = (project.file.parent_path() / suite.text("file").value_or("")).lexically_normal();
-  std::error_code error;
-  if (suite.has("file") && !fs::is_regular_file(project.suite, error))
-    suite.report("file", "there is no suite " + project.suite.string(),
-                 "give the path of a suite file, relative to the project file (suites/README.md)");
+  if (project.hazard && project.of_roof)
+    root.table("hazard").report(
+        "", "[hazard] is of S_DS of the ground, and the suite has motions of the roof",
+        "leave it out: how often the roof has such motions is not known");
   const TomlTable sampling = root.table("sampling"), clearance = root.table("clearance");
   project.samples = sampling.whole("samples", 2, 1 << 20).value_or(project.samples);
   if (!std::has_single_bit(project.samples))
@@ -409,10 +451,11 @@ Project read_project(const std::filesystem::path& file) {
     throw InputError({file.string(), "is a suite file, not a project",
                       "name it in a project as [suite] file (glissade clearance --example)", ""});
   document.read_only([](const std::string& name) { return has_key(project_grammar(), name); });
-  require_keys(root);
   Project project;
   project.file = file;
   project.source_text = document.text();
+  read_suite(root.table("suite"), project);
+  require_keys(root, project.of_roof);
   project.title = read_title(root.table("project"), project);
   read_site(root.table("site"), project);
   project.building = read_building(root.table("building"), project);

@@ -63,7 +63,11 @@ const std::vector<GrammarKey> keys = {
     {"array", "interconnection", "0.2", alternative,
      "horizontal design strength across any section of the array over the weight of its lighter "
      "side: a condition of the standards"},
-    {"suite", "file", "\"suite.toml\"", required, "suite of ground motions (suites/README.md)"},
+    {"suite", "file", "\"suite.toml\"", required,
+     "suite of motions of the ground, or of the roof (then without periods, mass ratio and damping "
+     "of [building]): suites/README.md"},
+    {"suite", "factor", "1.0", alternative,
+     "on motions of a roof, at the design earthquake (DBE); 1: as they are"},
     {"sampling", "samples", "128", in_example, "samples of the probability study, a power of two"},
     {"clearance", "without_target", "true", alternative,
      "do not scale the suite to 0.9 times the target above 2 s: not for design"},

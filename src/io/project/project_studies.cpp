@@ -49,41 +49,63 @@ std::string scaled_to(const Project& project) {
 /// What both studies have in common.
 std::string head_of(const Project& project, const fs::path& folder, const std::string& name,
                     const std::string& what, const std::vector<double>& levels) {
+  const std::string intensity =
+      project.of_roof
+          ? fmt::format("measure = \"factor\"\nlevels = [{}]\n", fmt::join(levels, ", "))
+          : fmt::format("measure = \"sds_g\"\nlevels = [{}]\ntarget = {}\n{}",
+                        fmt::join(levels, ", "), target_of(project, folder), scaled_to(project));
   return fmt::format(
       "# Made by `glissade clearance` from {}.\n"
       "[study]\nname = {}\ndescription = {}\nseed = {}\nunits = \"{}\"\n\n"
       "[suite]\nfile = {}\n\n"
-      "[intensity]\nmeasure = \"sds_g\"\nlevels = [{}]\ntarget = {}\n{}\n",
+      "[intensity]\n{}\n",
       quoted(project.file.filename().string()), quoted(name),
       quoted(project.title.name + ": " + what +
              ". Part of a calculation: the governing displacement is in package.html, one folder "
              "above"),
       project.seed, project.units == UnitSystem::us_customary ? "us" : "si",
-      path_from(project.suite, folder), fmt::join(levels, ", "), target_of(project, folder),
-      scaled_to(project));
+      path_from(project.suite, folder), intensity);
+}
+
+/// Nothing where the motions are those of its roof.
+std::string building_of(const Project& project, const std::vector<double>& periods_s,
+                        const std::string& mass_ratio) {
+  if (project.of_roof) return "";
+  return fmt::format("[building]\nperiod_s = {}\nmass_ratio = {}\ndamping = {}\n\n",
+                     list_of(periods_s), mass_ratio, project.building.damping);
+}
+
+/// What both studies compare with is of S_DS, which the motions of a roof do not have.
+std::string standards_of(const Project& project) {
+  if (project.of_roof) return "";
+  return fmt::format(
+      "\n[standards]\ncompare = [\"asce7_16\", \"seaoc_pv1_2012\"]\nimportance = {}\n"
+      "seismic_design_category = {}\n\n"
+      "[verdict]\nexceedance = [{}]\n",
+      project.importance, quoted(to_string(site_values(project.site).category)),
+      accepted_exceedance);
 }
 
 }  // namespace
 
 std::string demand_study(const Project& project, const fs::path& folder) {
-  const double sds_g = site_values(project.site).sds_g;
+  const double dbe = dbe_level(project);
   std::vector<double> frictions;
   std::vector<std::string> what;
   for (const StudiedFriction& mu : frictions_of(project)) {
     frictions.push_back(mu.value);
     what.push_back(mu.what);
   }
-  return head_of(project, folder, "demand", "displacement demand", {sds_g, mce_over_dbe * sds_g}) +
+  return head_of(project, folder, "demand", "displacement demand", {dbe, mce_over_dbe * dbe}) +
+         building_of(project, periods_of(project), list_of(mass_ratios_of(project))) +
          fmt::format(
-             "[building]\nperiod_s = {}\nmass_ratio = {}\ndamping = {}\n\n"
              "[vertical]\nuse = [\"none\", \"if_available\"]\n\n"
              "[roof]\nslope_deg = {}\n\n"
              "[friction]\nmu = {}   # {}\n\n"
              "[orientation]\nchoice = \"all_permutations\"\n\n"
              "[clearance]\n{}",
-             list_of(periods_of(project)), list_of(mass_ratios_of(project)),
-             project.building.damping, list_of(slopes_of(project)), list_of(frictions),
-             fmt::join(what, ", "), project.without_target ? "without_target = true\n" : "");
+             list_of(slopes_of(project)), list_of(frictions), fmt::join(what, ", "),
+             project.without_target ? "without_target = true\n" : "");
 }
 
 std::string probability_study(const Project& project, const fs::path& folder,
@@ -97,22 +119,16 @@ std::string probability_study(const Project& project, const fs::path& folder,
                                    ? fmt::format("{{ mean = {}, std = {} }}", mu.mean, mu.std)
                                    : fmt::format("{}", mu.mean);
   return head_of(project, folder, "probability", "probability of exceedance", levels_of(project)) +
+         building_of(project, project.building.period_s, between(project.building.mass_ratio)) +
          fmt::format(
-             "[building]\nperiod_s = {}\nmass_ratio = {}\ndamping = {}\n\n"
              "[roof]\nslope_deg = {}\n\n"
              "[friction]\nmu = {}\n{}\n"
              "[orientation]\nchoice = \"random\"\n\n"
              "[sampling]\nsamples = {}\n\n"
-             "[fragility]\nthresholds_m = [{}]\n\n"
-             "[standards]\ncompare = [\"asce7_16\", \"seaoc_pv1_2012\"]\nimportance = {}\n"
-             "seismic_design_category = {}\n\n"
-             "[verdict]\nexceedance = [{}]\n",
-             list_of(project.building.period_s), between(project.building.mass_ratio),
-             project.building.damping, project.slope_deg.back(), friction,
-             mu.std > 0.0 ? "value = \"sampled\"\n" : "", project.samples,
-             fmt::join(thresholds, ", "), project.importance,
-             quoted(to_string(site_values(project.site).category)), accepted_exceedance) +
-         hazard_of(project, folder);
+             "[fragility]\nthresholds_m = [{}]\n",
+             project.slope_deg.back(), friction, mu.std > 0.0 ? "value = \"sampled\"\n" : "",
+             project.samples, fmt::join(thresholds, ", ")) +
+         standards_of(project) + hazard_of(project, folder);
 }
 
 }  // namespace glissade

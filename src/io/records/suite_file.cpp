@@ -278,6 +278,13 @@ SyntheticRecipe read_recipe(TomlDocument& document) {
 
 }  // namespace
 
+bool has_roof_motions(const std::filesystem::path& suite_file) {
+  TomlDocument document(suite_file);
+  const TomlTable root = document.root();
+  const TomlTable head = root.table("suite");
+  return head.exists() && head.text("motions") == "roof";
+}
+
 StatedTarget read_stated_target(const std::filesystem::path& file) {
   TomlDocument document(file);
   const TomlTable root = document.root();

@@ -99,22 +99,29 @@ Figure exceedance_figure(const CalculationPackage& package) {
   figure.name = "exceedance";
   figure.title = "Probability that the governing displacement is exceeded";
   const ProjectFriction& mu = package.project.friction;
-  figure.below = fmt::format("building period {:.3g} s; {}; friction {:.3g}, std {:.2g}", period_s,
+  const bool of_roof = package.project.of_roof;
+  const double dbe = dbe_level(package.project), mce = mce_over_dbe * dbe;
+  figure.below = fmt::format("{}{}; friction {:.3g}, std {:.2g}",
+                             of_roof ? "" : fmt::format("building period {:.3g} s; ", period_s),
                              counts_of(package.probability), mu.mean, mu.std);
   figure.caption = fmt::format(
-      "The building period is that of the largest probability at {}. Line: lognormal curve, fitted "
+      "{}Line: lognormal curve, fitted "
       "to the lowest intensity at which each history reaches the displacement. Points: share of "
       "the histories that exceed it at a level. Shaded: 95 % interval from the variance between "
-      "records. DBE is S_DS = {:.3f} g, MCE {:.3f} g; the levels end at {:.3g} g.",
-      at_dbe ? "DBE" : "MCE", design.site.sds_g, design.site.sms_g(),
-      package.probability.levels.back());
+      "records. {}",
+      of_roof ? ""
+              : fmt::format("The building period is that of the largest probability at {}. ",
+                            at_dbe ? "DBE" : "MCE"),
+      of_roof
+          ? fmt::format("DBE is a factor of {:g} on the motions of the roof, MCE {:g}.", dbe, mce)
+          : fmt::format("DBE is S_DS = {:.3f} g, MCE {:.3f} g; the levels end at {:.3g} g.", dbe,
+                        mce, package.probability.levels.back()));
   Panel& panel = figure.panels.front();
   for (DataSeries& series : panel.series)
     if (!series.source.empty()) series.source = "probability/" + series.source;
-  for (const auto& [name, level_g] :
-       {std::pair{"DBE", design.site.sds_g}, std::pair{"MCE", design.site.sms_g()}}) {
-    panel.rules.push_back({Rule::Kind::vertical, level_g, look(Role::reference)});
-    panel.notes.push_back({level_g, 0.93 * panel.y.high, name, look(Role::reference).colour});
+  for (const auto& [name, intensity] : {std::pair{"DBE", dbe}, std::pair{"MCE", mce}}) {
+    panel.rules.push_back({Rule::Kind::vertical, intensity, look(Role::reference)});
+    panel.notes.push_back({intensity, 0.93 * panel.y.high, name, look(Role::reference).colour});
   }
   return figure;
 }
@@ -122,7 +129,8 @@ Figure exceedance_figure(const CalculationPackage& package) {
 }  // namespace
 
 std::vector<Figure> package_figures(const CalculationPackage& package) {
-  std::vector<Figure> figures{site_spectra_figure(package)};
+  std::vector<Figure> figures;
+  if (!package.project.of_roof) figures.push_back(site_spectra_figure(package));
   if (package.design.demand.size() > 1) figures.push_back(demand_figure(package));
   figures.push_back(exceedance_figure(package));
   for (Figure& figure : figures) figure.plot_height_px = 520;

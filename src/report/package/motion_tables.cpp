@@ -51,7 +51,7 @@ std::string rsn_of(const std::vector<ComponentFile>& files, const std::string& r
 
 Table motions_table(const CalculationPackage& package) {
   Table table{"motions",
-              "Ground motions",
+              package.project.of_roof ? "Motions of the roof" : "Ground motions",
               {number_column, text_column("id", "Record"), text_column("rsn", "RSN"),
                text_column("event", "Event"), text_column("station", "Station"),
                text_column("magnitude", "M"), text_column("distance", "R, km"),
@@ -70,15 +70,20 @@ Table motions_table(const CalculationPackage& package) {
 }
 
 Table scaled_motions_table(const CalculationPackage& package) {
+  const bool of_roof = package.project.of_roof;
+  const char *acceleration = of_roof ? "Peak roof acceleration, g" : "PGA, g",
+             *velocity = of_roof ? "velocity" : "PGV",
+             *displacement = of_roof ? "displacement" : "PGD";
   Table table{
       "scaled_motions",
-      "Ground motions as recorded, factor to DBE, and displacement of the array",
-      {number_column, text_column("id", "Record"), text_column("pga", "PGA, g"),
-       text_column("pgv", in_inches() ? "PGV, in/s" : "PGV, m/s"),
-       text_column("pgd", in_inches() ? "PGD, in" : "PGD, m"), text_column("step", "Step, s"),
-       text_column("length", "Length, s"), text_column("duration", "D5-95, s"),
-       text_column("suite_scale", "Scale of the suite"), text_column("factor", "Factor to DBE"),
-       text_column("displacement", "Displacement")},
+      std::string(of_roof ? "Motions of the roof as in the suite" : "Ground motions as recorded") +
+          ", factor to DBE, and displacement of the array",
+      {number_column, text_column("id", "Record"), text_column("pga", acceleration),
+       text_column("pgv", velocity + std::string(in_inches() ? ", in/s" : ", m/s")),
+       text_column("pgd", displacement + std::string(in_inches() ? ", in" : ", m")),
+       text_column("step", "Step, s"), text_column("length", "Length, s"),
+       text_column("duration", "D5-95, s"), text_column("suite_scale", "Scale of the suite"),
+       text_column("factor", "Factor to DBE"), text_column("displacement", "Displacement")},
       {}};
   for (std::size_t i = 0; i < package.demand.records.size(); ++i) {
     const RecordSummary& r = package.demand.records[i];
@@ -89,7 +94,7 @@ Table scaled_motions_table(const CalculationPackage& package) {
          fmt::format("{:.3g}", r.dt_s),
          fmt::format("{:.0f}", r.dt_s * static_cast<double>(r.samples - 1)),
          fmt::format("{:.1f}", r.duration_s), fmt::format("{:.3g}", r.suite_scale),
-         fmt::format("{:.3f}", r.factor_at_unit_level * package.design.site.sds_g),
+         fmt::format("{:.3f}", r.factor_at_unit_level * dbe_level(package.project)),
          length_in(displacement_of(package, i))});
   }
   const std::vector<RecordSummary>& records = package.demand.records;
@@ -97,9 +102,11 @@ Table scaled_motions_table(const CalculationPackage& package) {
     return r.suite_scale == records.front().suite_scale;
   });
   table.notes.push_back(
-      "PGA, PGV and PGD: geometric mean of both horizontal components, as recorded. D5-95: from 5 "
-      "% to 95 % of the Arias intensity of both together. The factor to DBE "
-      "contains the scale of the suite" +
+      (of_roof ? "Peaks: geometric mean of both horizontal components. D5-95: from 5 "
+               : "PGA, PGV and PGD: geometric mean of both horizontal components, as recorded. "
+                 "D5-95: from 5 ") +
+      std::string("% to 95 % of the Arias intensity of both together. The factor to DBE "
+                  "contains the scale of the suite") +
       (same_scale ? fmt::format(", {:.3g} for every record,", records.front().suite_scale) : "") +
       " and is on all components. Displacement: in the governing case at DBE, the largest of the "
       "orientations.");
@@ -146,7 +153,7 @@ Table record_spectra_table(const CalculationPackage& package) {
 
 Table files_table(const CalculationPackage& package) {
   Table table{"files",
-              "Files of the ground motions",
+              package.project.of_roof ? "Files of the motions" : "Files of the ground motions",
               {text_column("record", "Record"), text_column("component", "Component"),
                text_column("file", "File"), text_column("sha256", "SHA-256")},
               {}};

@@ -55,11 +55,16 @@ constexpr std::array<Section, 10> sections{{
     {"<li><a href=\"#records\">", "<h2 id=\"records\">", "Program and input files"},
 }};
 
-Html contents_html() {
+Html contents_html(const char* motions_title) {
   Html html("<ol class=\"contents\">\n");
   for (const Section& section : sections)
-    html += enclosed(section.id, section.title, "</a></li>\n");
+    html += enclosed(section.id, &section == &sections[2] ? motions_title : section.title,
+                     "</a></li>\n");
   return html + "</ol>\n";
+}
+
+const char* motions_title(const Project& project) {
+  return project.of_roof ? "Design values and motions of the roof" : sections[2].title;
 }
 
 Html section_heading(std::size_t number) {
@@ -86,15 +91,18 @@ Html warnings_html(const CalculationPackage& package) {
 
 Html result_html(const CalculationPackage& package) {
   const DesignClearance& design = package.design;
+  const bool of_roof = package.project.of_roof;
   std::vector<std::string> answers{
       fmt::format("Governing displacement: {}, rounded up to {}.",
                   length_in_both(design.governing_m), length_in_both(design.rounded_m)),
       verdict_sentence(package), fmt::format("It is given by {}.", governed_by(package)),
-      fmt::format("Analysis: {:g} x the largest {} displacement over {} building periods and all "
-                  "orientations of the records at DBE = {} (period {:.3g} s). With the median of "
+      fmt::format("Analysis: {:g} x the largest {} displacement over {}all "
+                  "orientations of the records at DBE = {}{}. With the median of "
                   "the orientations in place of the largest it would be {}.",
-                  design.factor, design.of_largest ? "single" : "mean", design.demand.size(),
-                  length_in_both(design.analysis_m), design.period_s,
+                  design.factor, design.of_largest ? "single" : "mean",
+                  of_roof ? "" : fmt::format("{} building periods and ", design.demand.size()),
+                  length_in_both(design.analysis_m),
+                  of_roof ? "" : fmt::format(" (period {:.3g} s)", design.period_s),
                   length_in_both(design.median_analysis_m))};
   const PrescribedValue& standard = of_standard(package.project, design);
   answers.push_back(
@@ -109,9 +117,11 @@ Html result_html(const CalculationPackage& package) {
   for (const ExceedanceAt& e : {design.compared.front().dbe, design.compared.front().mce})
     answers.push_back(fmt::format(
         "Probability that the governing displacement is exceeded, given {} shaking: {} (95 % "
-        "interval {} to {}), at the building period with the largest, {:.3g} s.",
+        "interval {} to {}){}.",
         e.level, format_share(e.probability), format_share(e.interval.low),
-        format_share(e.interval.high), e.period_s));
+        format_share(e.interval.high),
+        of_roof ? ""
+                : fmt::format(", at the building period with the largest, {:.3g} s", e.period_s)));
   answers.push_back(accepted_sentence(design) + ".");
   answers.push_back(hazard_sentence(package));
   // Beside the table, which scrolls on a narrow screen.
@@ -138,7 +148,27 @@ Html given_curves_html(const Project& project) {
   return html;
 }
 
+/// What the motions are, and how they are scaled.
+Html roof_motions_html(const CalculationPackage& package) {
+  const SuiteSummary& suite = package.demand.suites.front();
+  return enclosed(sections[2].open, motions_title(package.project), "</h2>\n") +
+         page_table(site_table(package)) +
+         paragraph(fmt::format(
+             "Suite: {}{}. Its motions are those of the roof on which the array stands, of a "
+             "model of the building or recorded in it; they are used without a building and "
+             "without "
+             "a design spectrum. At DBE each is multiplied by {:g} (and by its scale in the "
+             "suite), "
+             "at MCE by 1.5 times that: a building that yields would have other motions there. "
+             "The median of their peaks at DBE is {:.3f} g. The orientations swap and mirror the "
+             "components: slopes along either axis of the building, in either direction.",
+             suite.name, suite.description.empty() ? "" : ": " + suite.description,
+             package.project.roof_factor, package.design.peak_roof_g)) +
+         page_table(motions_table(package)) + page_table(scaled_motions_table(package));
+}
+
 Html motions_html(const CalculationPackage& package, const std::vector<DrawnFigure>& figures) {
+  if (package.project.of_roof) return roof_motions_html(package);
   const SpectralRatios& ratios = package.demand.suites.front().spectra.to_target;
   const double to_s = 1.5 * periods_of(package.project).back();
   const std::string beyond =
@@ -162,19 +192,37 @@ Html motions_html(const CalculationPackage& package, const std::vector<DrawnFigu
          page_table(record_spectra_table(package)) + figure_html(figures.front(), 1);
 }
 
-Html model_html() {
+Html model_html(bool of_roof) {
+  const Html building =
+      paragraph(
+          "Building with the ground acceleration a_g, along each of its axes (M: mass; u: "
+          "displacement of the roof relative to the ground; \u03c9: circular frequency; "
+          "\u03b6: damping ratio), here along the slope:") +
+      equation(
+          "M (u'' + 2\u03b6\u03c9 u' + \u03c9\u00b2 u) = \u2212 M a_g \u2212 (N sin\u03b8 "
+          "\u2212 F_s cos\u03b8),   a = u'' + a_g");
+  const Html bodies =
+      "<figure>\n" + in_box(Html::drawing(free_body_svg, "Free bodies of array and roof")) +
+      "<figcaption>Free bodies of the array and of the roof.</figcaption>\n</figure>\n";
   return "<div class=\"short\">\n" + section_heading(3) +
          paragraph(
-             "The building is a linear oscillator along each of its two horizontal axes, with "
-             "one period and damping ratio. The array is a rigid mass on its roof with "
-             "Coulomb friction; it slides in plan along both axes at once and acts back on "
-             "the building. The roof moves vertically with the ground.") +
-         "<figure>\n" + in_box(Html::drawing(free_body_svg, "Free bodies of array and roof")) +
-         "<figcaption>Free bodies of the array and of the roof.</figcaption>\n</figure>\n</div>\n" +
-         paragraph(
+             of_roof
+                 ? "The roof moves as the motions of the suite state. The array is a rigid mass on "
+                   "it "
+                   "with Coulomb friction; it slides in plan along both axes at once and does not "
+                   "act "
+                   "back on the roof."
+                 : "The building is a linear oscillator along each of its two horizontal axes, "
+                   "with "
+                   "one period and damping ratio. The array is a rigid mass on its roof with "
+                   "Coulomb friction; it slides in plan along both axes at once and acts back on "
+                   "the building. The roof moves vertically with the ground.") +
+         (of_roof ? Html() : bodies) + "</div>\n" +
+         paragraph(fmt::format(
              "Array (m: mass; s, y: displacement along and across the slope, s positive down; N: "
              "normal force; F: friction; a: acceleration of the roof; w: vertical acceleration of "
-             "the ground; \u03b8: slope):") +
+             "the {}; \u03b8: slope):",
+             of_roof ? "roof" : "ground")) +
          equation("N/m = (g + w) cos\u03b8 + a sin\u03b8 \u2265 0") +
          equation(
              "s'' = (g + w) sin\u03b8 \u2212 a cos\u03b8 \u2212 F_s/m,   y'' = \u2212 a_y \u2212 "
@@ -182,19 +230,13 @@ Html model_html() {
          paragraph(
              "Friction while sliding with the velocity v = (s', y'), and while the array does not "
              "slide:") +
-         equation("F = \u03bc N v/|v|,   |F| \u2264 \u03bc N") +
-         paragraph(
-             "Building with the ground acceleration a_g, along each of its axes (M: mass; u: "
-             "displacement of the roof relative to the ground; \u03c9: circular frequency; "
-             "\u03b6: damping ratio), here along the slope:") +
-         equation(
-             "M (u'' + 2\u03b6\u03c9 u' + \u03c9\u00b2 u) = \u2212 M a_g \u2212 (N sin\u03b8 "
-             "\u2212 F_s cos\u03b8),   a = u'' + a_g") +
-         paragraph(
+         equation("F = \u03bc N v/|v|,   |F| \u2264 \u03bc N") + (of_roof ? Html() : building) +
+         paragraph(fmt::format(
              "Sliding begins where |F| would exceed \u03bcN and ends where v = 0. The displacement "
              "of a history is the SRSS of the largest displacements along both axes (Walters et "
-             "al. 2012), in plan. Between samples the ground acceleration is linear. Equations "
-             "and sources: src/theory.md of the program.") +
+             "al. 2012), in plan. Between samples the {} acceleration is linear. Equations "
+             "and sources: src/theory.md of the program.",
+             of_roof ? "roof" : "ground")) +
          list({"Walters, M., Berkowitz, R., Lau, D., Lee, W., Baker, J. (2012). Seismic "
                "considerations and evaluation approach for \"isolated\" rooftop PV arrays. SEAOC "
                "Convention Proceedings.",
@@ -238,14 +280,17 @@ Html checks_html(const CalculationPackage& package) {
              "and both published papers; every comparison is in its verification manual "
              "(tests/verification/README.md of the program).",
              package.demand.program_version)) +
-         list({"The array is rigid and stays in contact with the roof: no tipping, no uplift.",
-               "Friction is Coulomb's: it does not change with speed, temperature or wear.",
-               "The building is elastic with one mode along each axis, without torsion.",
-               std::string("The governing displacement is that of one earthquake. Displacements of "
-                           "several earthquakes during the design life add up, and are not in it") +
-                   (package.probability.hazard ? ": section 8." : "."),
-               "The array does not strike anything and no cable restrains it.",
-               "Statements marked (recalled) are from memory of the standard: verify them."});
+         list(
+             {"The array is rigid and stays in contact with the roof: no tipping, no uplift.",
+              "Friction is Coulomb's: it does not change with speed, temperature or wear.",
+              package.project.of_roof
+                  ? "The array does not act back on the roof, whose motions are those of the suite."
+                  : "The building is elastic with one mode along each axis, without torsion.",
+              std::string("The governing displacement is that of one earthquake. Displacements of "
+                          "several earthquakes during the design life add up, and are not in it") +
+                  (package.probability.hazard ? ": section 8." : "."),
+              "The array does not strike anything and no cable restrains it.",
+              "Statements marked (recalled) are from memory of the standard: verify them."});
 }
 
 /// What the hazard section of a report has in tables.
@@ -317,7 +362,7 @@ void write_package(const CalculationPackage& package, const std::filesystem::pat
   for (Table& table : given_curves(package.project)) tables.push_back(std::move(table));
   const std::vector<DrawnFigure> figures = write_parts(
       {"package.html", std::move(tables), package_figures(package)}, out_dir, overwrite);
-  const bool has_demand_figure = figures.size() > 2;
+  const bool has_demand_figure = !package.project.of_roof && figures.size() > 2;
   const Html page =
       page_head({package.project.title.name, "calculation of required separations",
                  in_inches() ? letter : a4}) +
@@ -326,10 +371,10 @@ void write_package(const CalculationPackage& package, const std::filesystem::pat
           "Calculation of the seismic displacement of an unanchored rooftop solar array, and "
           "of its required separations") +
       page_table(title_table(package.project)) + warnings_html(package) + result_html(package) +
-      contents_html() + section_heading(1) + "<div class=\"inputs\">\n" +
-      page_table(inputs_table(package)) + "</div>\n" + given_curves_html(package.project) +
-      motions_html(package, figures) + model_html() + section_heading(4) +
-      page_table(demand_table(package)) +
+      contents_html(motions_title(package.project)) + section_heading(1) +
+      "<div class=\"inputs\">\n" + page_table(inputs_table(package)) + "</div>\n" +
+      given_curves_html(package.project) + motions_html(package, figures) +
+      model_html(package.project.of_roof) + section_heading(4) + page_table(demand_table(package)) +
       (has_demand_figure ? figure_html(figures.at(1), 2) : Html()) + required_html(package) +
       section_heading(6) + page_table(sensitivity_table(package)) + section_heading(7) +
       page_table(exceedance_table(package)) +

@@ -26,24 +26,31 @@ std::string inputs_lines(const CalculationPackage& package) {
               fmt::format("S_MS {:.3f} g, S_M1 {:.3f} g, S_DS {:.3f} g, S_D1 {:.3f} g, category {}",
                           site.sms_g(), site.sm1_g(), site.sds_g, site.sd1_g,
                           category_text(p.site, site))) +
-         line("Building",
-              fmt::format("period {}, mass ratio {}", range_text(p.building.period_s, " s"),
-                          range_text(p.building.mass_ratio, ""))) +
+         line("Building", p.of_roof ? "none is computed: the motions are those of its roof"
+                                    : fmt::format("period {}, mass ratio {}",
+                                                  range_text(p.building.period_s, " s"),
+                                                  range_text(p.building.mass_ratio, ""))) +
          line("Roof", fmt::format("slope {}; friction {:.3f}, std {:.3f}, design {:.3f}",
                                   range_text(p.slope_deg, " deg"), p.friction.mean, p.friction.std,
                                   p.friction.design())) +
-         line("Motions", fmt::format("{} records, {:.2f} to {:.2f} times the design spectrum",
-                                     package.demand.records.size(), ratios.lowest.ratio,
-                                     ratios.highest.ratio));
+         line("Motions",
+              p.of_roof ? fmt::format("{} records of the roof, factor {:g}, median peak {:.3g} g",
+                                      package.demand.records.size(), p.roof_factor,
+                                      package.design.peak_roof_g)
+                        : fmt::format("{} records, {:.2f} to {:.2f} times the design spectrum",
+                                      package.demand.records.size(), ratios.lowest.ratio,
+                                      ratios.highest.ratio));
 }
 
 std::string demand_lines(const CalculationPackage& package) {
+  const bool of_roof = package.project.of_roof;
   std::string text = fmt::format(
-      "\nDisplacement at DBE, governing orientation, slope and mass "
-      "ratio\n{:>10}{:>12}{:>12}{:>12}{:>12}\n",
-      "period, s", "mean", "84th", "95th", "largest");
+      "\nDisplacement at DBE, governing orientation{}\n{:>10}{:>12}{:>12}{:>12}{:>12}\n",
+      of_roof ? " and slope" : ", slope and mass ratio", of_roof ? "" : "period, s", "mean", "84th",
+      "95th", "largest");
   for (const PeriodDemand& d : package.design.demand) {
-    text += fmt::format("{:>10.3g}{:>12}{:>12}{:>12}{:>12}\n", d.period_s, length_in(d.mean_m),
+    text += fmt::format("{:>10}{:>12}{:>12}{:>12}{:>12}\n",
+                        of_roof ? "" : fmt::format("{:.3g}", d.period_s), length_in(d.mean_m),
                         length_in(d.p84_m), length_in(d.p95_m), length_in(d.largest_m));
   }
   const bool is_skewed = std::ranges::any_of(
@@ -54,7 +61,8 @@ std::string demand_lines(const CalculationPackage& package) {
 std::string governing_lines(const CalculationPackage& package) {
   const DesignClearance& design = package.design;
   const ProjectBuilding& building = package.project.building;
-  const bool is_too_little = !one_mass_sentence(building.storeys, building.period_s.back()).empty();
+  const bool is_too_little = !package.project.of_roof &&
+                             !one_mass_sentence(building.storeys, building.period_s.back()).empty();
   const std::string analysis = length_in_both(design.analysis_m) +
                                (is_too_little ? "; too little: one mass (see WARNING)" : "");
   std::string text =
@@ -99,12 +107,13 @@ std::string separation_lines(const CalculationPackage& package) {
   text += "\nProbability that the governing displacement is exceeded\n";
   const DisplacementExceedance& governing = package.design.compared.front();
   for (const ExceedanceAt& e : {governing.dbe, governing.mce})
-    text += fmt::format("  {}  {} (95 % interval {} to {}), period {:.3g} s\n", e.level,
-                        format_share(e.probability), format_share(e.interval.low),
-                        format_share(e.interval.high), e.period_s);
+    text +=
+        fmt::format("  {}  {} (95 % interval {} to {}){}\n", e.level, format_share(e.probability),
+                    format_share(e.interval.low), format_share(e.interval.high),
+                    package.project.of_roof ? "" : fmt::format(", period {:.3g} s", e.period_s));
   text += wrapped(accepted_sentence(package.design), terminal_width, 2) + "\n";
   return text +
-         (package.probability.hazard
+         (package.probability.hazard || package.project.of_roof
               ? wrapped(hazard_sentence(package), terminal_width, 0)
               : "Annual rates are not computed: give [hazard] (glissade explain hazard)") +
          "\n";

@@ -91,6 +91,9 @@ std::string governed_by(const CalculationPackage& package) {
 }
 
 std::string hazard_sentence(const CalculationPackage& package) {
+  if (package.project.of_roof)
+    return "Annual rates are not computed: the motions are of the roof, and a hazard curve is of "
+           "the ground.";
   if (!package.probability.hazard)
     return "Annual rates and the displacement that adds up over the design life are not computed: "
            "give [hazard] in the project file (curve, or k0 and k; design_life_years).";
@@ -166,10 +169,17 @@ Table inputs_table(const CalculationPackage& package) {
   add("Site", target_text(p), "project file, [site]");
   add("Risk category", to_string(p.site.risk),
       fmt::format("project file; importance factor {:g}", p.importance));
-  add("Building period", range_text(p.building.period_s, " s"), p.building.period_basis);
+  if (p.of_roof)
+    add("Building", "none is computed: the motions are those of its roof", "suite file");
+  else
+    add("Building period", range_text(p.building.period_s, " s"), p.building.period_basis);
   if (p.building.storeys) add("Storeys", fmt::format("{:g}", *p.building.storeys), "project file");
-  add("Damping of the building", fmt::format("{:g} %", 100.0 * p.building.damping), "project file");
-  add("Mass of array over building", range_text(p.building.mass_ratio, ""), p.building.mass_basis);
+  if (!p.of_roof) {
+    add("Damping of the building", fmt::format("{:g} %", 100.0 * p.building.damping),
+        "project file");
+    add("Mass of array over building", range_text(p.building.mass_ratio, ""),
+        p.building.mass_basis);
+  }
   std::vector<double> rises;
   for (const double slope_deg : p.slope_deg)
     rises.push_back(12.0 * std::tan(slope_deg * rad_per_deg));
@@ -189,10 +199,12 @@ Table inputs_table(const CalculationPackage& package) {
   if (p.friction.lower_bound)
     add(bound_name(p.friction), fmt::format("{:.3f}", *p.friction.lower_bound),
         "with 95 % confidence, 97.7 % of pulls have more (normal friction, this number of tests)");
-  add("Ground motions",
+  add(p.of_roof ? "Motions of the roof" : "Ground motions",
       fmt::format("{}, {} records", package.demand.suites.front().name,
                   package.demand.records.size()),
       p.suite.filename().string());
+  if (p.of_roof)
+    add("Factor on them at DBE", fmt::format("{:g}", p.roof_factor), "project file, or 1");
   return table;
 }
 
@@ -229,7 +241,7 @@ Table site_table(const CalculationPackage& package) {
       points               ? "largest S_a T of its points, 1 to 5 s (21.4, recalled)"
       : target.is_mapped() ? "2/3 S_M1"
                            : "as given");
-  if (!points)
+  if (!points && !package.project.of_roof)
     add("T_L", fmt::format("{:g} s", target.tl_s),
         package.project.site.states_tl ? "project file" : "NOT STATED: assumed");
   add("Seismic design category",
@@ -269,8 +281,9 @@ Table demand_table(const CalculationPackage& package) {
   Table table{
       "demand",
       fmt::format("Displacement demand at DBE, friction {:.3g}: the largest over the roof's "
-                  "slopes, mass ratios, with and without vertical motion, over {} records",
-                  package.project.friction.design(), package.demand.records.size()),
+                  "slopes,{} with and without vertical motion, over {} records",
+                  package.project.friction.design(), package.project.of_roof ? "" : " mass ratios,",
+                  package.demand.records.size()),
       {text_column("period", "Period"), text_column("mean", "Mean"),
        text_column("p84", "84th percentile"), text_column("p95", "95th percentile"),
        text_column("largest", "Largest record, any orientation"),
@@ -285,7 +298,7 @@ Table demand_table(const CalculationPackage& package) {
   table.notes.push_back(std::string("Mean and percentiles: over the records, all in the governing "
                                     "orientation; that of the mean is in the last column. ") +
                         percentile_note);
-  return table;
+  return package.project.of_roof ? table.without("period") : table;
 }
 
 Table prescribed_table(const CalculationPackage& package) {
@@ -378,13 +391,17 @@ Table sensitivity_table(const CalculationPackage& package) {
 }
 
 Table exceedance_table(const CalculationPackage& package) {
-  const SiteValues& site = package.design.site;
+  const Project& project = package.project;
+  const double dbe = dbe_level(project), mce = mce_over_dbe * dbe;
+  const auto at = [&](const char* level, const char* name, double intensity) {
+    return project.of_roof ? fmt::format("At {}, factor {:g} [95 %]", level, intensity)
+                           : fmt::format("At {}, {} = {:.3f} g [95 %]", level, name, intensity);
+  };
   Table table{"exceedance",
               fmt::format("Probability that the displacement exceeds the governing one, {}",
                           length_in_both(package.design.governing_m)),
-              {text_column("period", "Building period"),
-               text_column("dbe", fmt::format("At DBE, S_DS = {:.3f} g [95 %]", site.sds_g)),
-               text_column("mce", fmt::format("At MCE, S_MS = {:.3f} g [95 %]", site.sms_g()))},
+              {text_column("period", "Building period"), text_column("dbe", at("DBE", "S_DS", dbe)),
+               text_column("mce", at("MCE", "S_MS", mce))},
               {}};
   const std::vector<ExceedanceAt>& dbe_then_mce = package.design.exceedance;
   const std::size_t periods = dbe_then_mce.size() / 2;
@@ -392,12 +409,13 @@ Table exceedance_table(const CalculationPackage& package) {
     table.add({fmt::format("{:.3g} s", dbe_then_mce[p].period_s), share_text(dbe_then_mce[p]),
                share_text(dbe_then_mce[periods + p])});
   table.notes.push_back(fmt::format(
-      "The probability is the observed share of the histories, without a fitted curve. Friction "
-      "and mass ratio are drawn within the project's ranges, and the orientation; the slope is the "
+      "The probability is the observed share of the histories, without a fitted curve. {} drawn "
+      "within the project's ranges, and the orientation; the slope is the "
       "steepest: {} samples for each of {} records. The interval is from resampling whole records; "
       "it is never narrower than that of a binomial with one trial for each record.",
+      project.of_roof ? "Friction is" : "Friction and mass ratio are",
       package.probability.cases.samples, package.probability.records.size()));
-  return table;
+  return project.of_roof ? table.without("period") : table;
 }
 
 std::string accepted_sentence(const DesignClearance& design) {
@@ -442,8 +460,10 @@ Table compared_table(const CalculationPackage& package) {
   }
   table.notes.push_back(
       "A clearance allows the displacement clearance / factor; between "
-      "similar arrays only where both slide alike. Each number is that of the building period "
-      "where it is largest. " +
+      "similar arrays only where both slide alike. " +
+      std::string(package.project.of_roof
+                      ? ""
+                      : "Each number is that of the building period where it is largest. ") +
       accepted_sentence(design) + ".");
   return table;
 }

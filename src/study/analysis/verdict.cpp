@@ -10,6 +10,7 @@
 #include "analysis/pooled_level.hpp"
 #include "glissade/core/contract.hpp"
 #include "glissade/standards/conditions.hpp"
+#include "glissade/study/analysis/exceeded_displacement.hpp"
 #include "glissade/study/results.hpp"
 
 namespace glissade {
@@ -166,6 +167,12 @@ std::size_t level_at(const std::vector<double>& levels, double level) {
   const auto found = std::ranges::find_if(
       levels, [&](double l) { return std::abs(l - level) <= 1e-9 * std::abs(level); });
   return static_cast<std::size_t>(found - levels.begin());
+}
+
+ExceededDisplacement exceeded_displacement(const Results& results, CaseSlice cases,
+                                           std::size_t level, double probability) {
+  const PooledLevel pooled = pooled_at(results.histories, cases, level);
+  return {pooled.quantile_m(1.0 - probability), pooled.exceeded_interval(probability)};
 }
 
 Judgement judgement(const VerdictResults& verdict, const VerdictRow& row) {

@@ -8,6 +8,7 @@
 #include <iterator>
 
 #include "glissade/motion/improbable.hpp"
+#include "glissade/motion/roof_words.hpp"
 #include "glissade/sampling/pull_test.hpp"
 #include "plan/plan_check.hpp"
 
@@ -163,7 +164,9 @@ Warnings motions(const Plan& plan) {
     const Motion& motion = plan.motion(record);
     for (const std::string& value : improbable_values(motion)) {
       if (warnings.size() < most_named)
-        warnings.push_back(fmt::format("record {}: {}", motion.id, value));
+        warnings.push_back(
+            fmt::format("record {}: {}", motion.id,
+                        plan.suites.front().of_roof ? in_words_of_roof(value) : value));
       else
         ++more;
     }
@@ -190,15 +193,14 @@ Warnings nearest_records(const Plan& plan) {
   return warnings;
 }
 
-/// A roof has its own axes: components that are swapped, mirrored or turned are of another
-/// building.
+/// A roof has its own axes. Components that are swapped or mirrored are those of a slope along
+/// either axis, in either direction; turned to other azimuths they are of no slope along an axis.
 Warnings turned_roofs(const Plan& plan) {
-  if (!plan.suites.front().of_roof ||
-      plan.config.orientation.choice == OrientationChoice::as_recorded)
+  if (!plan.suites.front().of_roof || plan.config.orientation.choice != OrientationChoice::azimuths)
     return {};
   return {
-      "the motions are of a roof, along the axes of its building, and [orientation] swaps, mirrors "
-      "or turns them: choice = \"as_recorded\" keeps them"};
+      "the motions are of a roof, along the axes of its building, and [orientation] turns them: "
+      "choice = \"as_recorded\" keeps them, \"all_permutations\" is of slopes along both axes"};
 }
 
 }  // namespace

@@ -114,7 +114,10 @@ TEST(roof_motions, that_are_turned_have_a_warning_and_meet_no_target) {
   config.clearance.emplace();
   EXPECT_THAT(make_plan(config, {roofs}).warnings,
               testing::Not(testing::Contains(HasSubstr("axes of its building"))));
-  config.orientation.choice = OrientationChoice::all_permutations;
+  config.orientation.choice = OrientationChoice::all_permutations;  // slopes along both axes
+  EXPECT_THAT(make_plan(config, {roofs}).warnings,
+              testing::Not(testing::Contains(HasSubstr("axes of its building"))));
+  config.orientation.choice = OrientationChoice::azimuths;
   EXPECT_THAT(make_plan(config, {roofs}).warnings,
               testing::Contains(HasSubstr("axes of its building")));
 }
