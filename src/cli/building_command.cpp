@@ -11,6 +11,7 @@
 #include "glissade/core/error.hpp"
 #include "glissade/core/wrap.hpp"
 #include "glissade/io/mode_file.hpp"
+#include "glissade/io/suite_file.hpp"
 #include "glissade/motion/design_spectrum.hpp"
 #include "glissade/motion/improbable.hpp"
 #include "glissade/report/table.hpp"
@@ -35,7 +36,8 @@ CLI::Validator from_to(double least, double most) {
 }
 
 struct BuildingOptions {
-  std::string modes;
+  std::string modes, axis, spectrum;
+  std::vector<double> roof_shape;
   double period_s = 0.0;
   std::optional<double> alpha, sds_g, sd1_g;
   std::optional<std::size_t> storeys;
@@ -54,7 +56,11 @@ std::vector<Mode> equal_storeys(double period_s, std::size_t storeys) {
 }
 
 std::vector<Mode> modes_of(const BuildingOptions& o) {
-  if (!o.modes.empty()) return read_modes(o.modes);
+  if (!o.modes.empty()) {
+    ModeFileOptions file{.axis = {}, .roof_shape = o.roof_shape};
+    if (!o.axis.empty()) file.axis = o.axis == "x" ? ModeAxis::x : ModeAxis::y;
+    return read_modes(o.modes, file);
+  }
   if (!o.masses.empty() || !o.stiffnesses.empty())
     return shear_building_modes(o.masses, o.stiffnesses);
   if (!(o.period_s > 0.0))
@@ -78,18 +84,47 @@ struct FloorAccelerations {
   double by_modes, one_mass, asce7_16, asce7_22;
 };
 
+/// That of S_DS, or the one by points; nothing where none is stated.
+std::optional<DesignTarget> spectrum_of(const BuildingOptions& o) {
+  if (o.spectrum.empty() && !o.sds_g) return std::nullopt;
+  DesignTarget target;
+  if (!o.spectrum.empty()) {
+    target = read_spectrum(o.spectrum);
+  } else {
+    target.sds_g = *o.sds_g;
+    target.sd1_g = o.sd1_g.value_or(usual_sd1 * *o.sds_g);
+    target.tl_s = o.tl_s;
+  }
+  return target;
+}
+
+/// Where a spectrum by points does not reach the modes or the period 0.
+std::string spectrum_warning(const DesignTarget& target, const std::vector<Mode>& modes) {
+  const std::vector<double>& periods_s = target.period_s;
+  if (periods_s.empty()) return "";
+  constexpr double near_zero_s = 0.01;
+  if (periods_s.front() > std::max(near_zero_s, modes.back().period_s))
+    return fmt::format("below {:g} s, where the spectrum begins, its first value is taken",
+                       periods_s.front());
+  if (periods_s.back() < modes.front().period_s)
+    return fmt::format("beyond {:g} s, where the spectrum ends, it is taken to fall as 1/T",
+                       periods_s.back());
+  return "";
+}
+
 /// SRSS of the modes, and of what is left out, which moves with the ground.
 FloorAccelerations roof_acceleration(const std::vector<Mode>& modes,
-                                     const DesignSpectrum& spectrum) {
+                                     const TargetSpectrum& spectrum) {
   double sum = 0.0, left = 1.0;
   for (const Mode& mode : modes) {
-    sum += std::pow(mode.participation * spectrum.sa_g(mode.period_s), 2);
+    sum += std::pow(mode.participation * spectrum.design_sa_g(mode.period_s), 2);
     left -= mode.participation;
   }
-  sum += std::pow(left * spectrum.sa_g(0.0), 2);
+  sum += std::pow(left * spectrum.design_sa_g(0.0), 2);
   const double period_s = modes.front().period_s;
-  return {std::sqrt(sum), spectrum.sa_g(period_s), asce7_16_floor_acceleration_g(spectrum.sds_g),
-          asce7_22_floor_acceleration_g(spectrum.sds_g, period_s)};
+  return {std::sqrt(sum), spectrum.design_sa_g(period_s),
+          asce7_16_floor_acceleration_g(spectrum.sds_g()),
+          asce7_22_floor_acceleration_g(spectrum.sds_g(), period_s)};
 }
 
 std::vector<std::string> warnings_on(const BuildingOptions& o, const std::vector<Mode>& modes) {
@@ -131,11 +166,16 @@ using Json = nlohmann::ordered_json;
 
 void run(const BuildingOptions& o) {
   const std::vector<Mode> all = modes_of(o), modes = governing_modes(all);
-  const std::vector<std::string> warnings = warnings_on(o, all);
+  std::vector<std::string> warnings = warnings_on(o, all);
   std::optional<FloorAccelerations> roof;
-  const DesignSpectrum spectrum{o.sds_g.value_or(0.0),
-                                o.sd1_g.value_or(usual_sd1 * o.sds_g.value_or(0.0)), o.tl_s};
-  if (o.sds_g) roof = roof_acceleration(all, spectrum);
+  const std::optional<DesignTarget> target = spectrum_of(o);
+  double sds_g = 0.0, sd1_g = 0.0;
+  if (target) {
+    const TargetSpectrum spectrum(*target);
+    sds_g = spectrum.sds_g(), sd1_g = spectrum.sd1_g();
+    roof = roof_acceleration(all, spectrum);
+    if (std::string text = spectrum_warning(*target, all); !text.empty()) warnings.push_back(text);
+  }
   if (o.json) {
     Json json{{"modes", Json::array()}, {"governing", modes.size()}, {"warnings", warnings}};
     for (const Mode& mode : all)
@@ -147,20 +187,24 @@ void run(const BuildingOptions& o) {
                                           {"one_mass", roof->one_mass},
                                           {"asce7_16", roof->asce7_16},
                                           {"asce7_22", roof->asce7_22},
-                                          {"sd1_g", spectrum.sd1_g}};
+                                          {"sds_g", sds_g},
+                                          {"sd1_g", sd1_g}};
     return put_json(json);
   }
   put("{}\n", to_text(modes_table(modes, all.size())));
   for (const std::string& warning : warnings)
     put("{}\n", wrapped("WARNING: " + warning, terminal_width, 2));
   if (!roof) return;
-  put("Peak roof acceleration under the design spectrum, S_DS = {:g} g, S_D1 = {:g} g{}\n"
+  put("Peak roof acceleration under the design spectrum, S_DS = {:.4g} g, S_D1 = {:.4g} g{}\n"
       "  modes (SRSS)                        {:.3g} g\n"
       "  one mass of the first period        {:.3g} g\n"
       "  ASCE 7-16, 0.4 S_DS (1 + 2 z/h)     {:.3g} g   [recalled]\n"
       "  ASCE 7-22, 0.4 S_DS H_f             {:.3g} g   [recalled]\n",
-      spectrum.sds_g, spectrum.sd1_g, o.sd1_g ? "" : " (assumed)", roof->by_modes, roof->one_mass,
-      roof->asce7_16, roof->asce7_22);
+      sds_g, sd1_g,
+      !o.spectrum.empty() ? " (of its points)"
+      : o.sd1_g           ? ""
+                          : " (assumed)",
+      roof->by_modes, roof->one_mass, roof->asce7_16, roof->asce7_22);
   if (all.size() == 1) return;
   put("\n{}\n",
       wrapped(fmt::format("A study with [building] period_s = {:.3g} computes one mass, whose peak "
@@ -199,11 +243,23 @@ void add_building(CLI::App& program) {
           ->excludes(period);
   command->add_option("--stiffnesses", o->stiffnesses, "stiffness of each storey, likewise")
       ->needs(masses);
-  command->add_option("--modes", o->modes, "CSV with period_s, participation and mass_share")
-      ->excludes(alpha)
-      ->excludes(storeys)
-      ->excludes(masses)
-      ->excludes(period);
+  CLI::Option* modes =
+      command
+          ->add_option("--modes", o->modes,
+                       "CSV with period_s, participation and mass_share, or what ETABS, SAP 2000 "
+                       "or OpenSees export (suites/README.md)")
+          ->excludes(alpha)
+          ->excludes(storeys)
+          ->excludes(masses)
+          ->excludes(period);
+  command->add_option("--axis", o->axis, "of an exported table: x or y")
+      ->check(CLI::IsMember({"x", "y"}))
+      ->needs(modes);
+  command
+      ->add_option("--roof-shape", o->roof_shape,
+                   "with participation factors in the file: the displacement of each mode at the "
+                   "array, along the axis")
+      ->needs(modes);
   CLI::Option* sds =
       command->add_option("--sds-g", o->sds_g, "S_DS of the site: the roof's peak acceleration")
           ->check(from_to(1e-3, most_possible_g));
@@ -213,6 +269,10 @@ void add_building(CLI::App& program) {
   command->add_option("--tl-s", o->tl_s, "long-period transition")
       ->check(from_to(1.0, 30.0))
       ->needs(sds);
+  command
+      ->add_option("--spectrum", o->spectrum,
+                   "design spectrum in place of S_DS and S_D1: CSV with period_s and design_sa_g")
+      ->excludes(sds);
   command->add_flag("--json", o->json, "print one JSON object");
   command->callback([o] { run(*o); });
 }

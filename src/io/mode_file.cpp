@@ -3,31 +3,241 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
+#include <optional>
+
 #include "glissade/core/error.hpp"
 #include "text/csv_rows.hpp"
+#include "text/scan.hpp"
 
 namespace glissade {
+namespace {
 
-std::vector<Mode> read_modes(const std::filesystem::path& file) {
-  std::vector<Mode> modes;
-  const auto take = [&](const NumberRow& row) -> RowTrouble {
-    const Mode mode{row.values[0], row.values[1], row.values[2]};
+constexpr const char* add_participation =
+    "add a column participation, at the array, or factor and roof_shape: the UX (or UY) of the "
+    "table Modal Participation Factors and the U1 (or U2) of a joint at the array in Joint "
+    "Displacements of the modal case, both of one normalisation; their product is the "
+    "participation (suites/README.md)";
+
+/// Modes as they are read, checked one by one.
+class ModeList {
+ public:
+  RowTrouble add(const Mode& mode) {
     if (!(mode.period_s > 0.0)) return {"the period is not above 0"};
-    if (!modes.empty() && !(mode.period_s < modes.back().period_s))
+    if (!modes_.empty() && mode.period_s > modes_.back().period_s)
       return {"periods must fall from row to row"};
-    if (!(mode.mass_share > 0.0 && mode.mass_share <= 1.0))
-      return {"the mass share is not above 0 and at most 1"};
-    modes.push_back(mode);
+    if (!(mode.mass_share >= 0.0 && mode.mass_share <= 1.0))
+      return {"the mass share is not from 0 to 1"};
+    if (mode.mass_share > 0.0) modes_.push_back(mode);  // or it is of another axis
     return {};
+  }
+  std::vector<Mode> checked(const std::filesystem::path& file) && {
+    constexpr double rounding = 1e-3;  // of shares with a few digits
+    if (modes_.empty())
+      throw InputError({file.string(), "has no mode with mass along the axis",
+                        "check the axis and the modal case", ""});
+    if (mass_of(modes_) > 1.0 + rounding)
+      throw InputError(
+          {file.string(),
+           fmt::format("the mass shares are {:.4g} together, more than 1", mass_of(modes_)),
+           "give those of one axis, each as a fraction of the building's mass", ""});
+    return std::move(modes_);
+  }
+
+ private:
+  std::vector<Mode> modes_;
+};
+
+/// Of the mode's number, from 0.
+std::optional<double> shape_of(const ModeFileOptions& options, std::size_t number) {
+  if (number >= options.roof_shape.size()) return std::nullopt;
+  return options.roof_shape[number];
+}
+
+void check_axis(const std::filesystem::path& file, const ModeFileOptions& options) {
+  if (!options.axis)
+    throw InputError({file.string(), "has modes of both axes", "give --axis x or --axis y", ""});
+}
+
+void check_shapes(const std::filesystem::path& file, const ModeFileOptions& options,
+                  std::size_t modes) {
+  if (options.roof_shape.size() == modes) return;
+  throw InputError({"--roof-shape",
+                    fmt::format("has {} value(s), and {} has {} modes", options.roof_shape.size(),
+                                file.string(), modes),
+                    "give one for each mode: its displacement at the array along the axis, of the "
+                    "normalisation of the participation factors (OpenSees: nodeEigenvector)",
+                    ""});
+}
+
+/// Separated by tabs, semicolons or commas, with or without quotes.
+Cells split_cells(std::string_view line) {
+  const char separator = line.find('\t') != line.npos  ? '\t'
+                         : line.find(';') != line.npos ? ';'
+                                                       : ',';
+  Cells cells;
+  for (bool more = true; more;) {
+    const std::size_t end = line.find(separator);
+    std::string_view cell = trimmed(line.substr(0, end));
+    if (cell.size() > 1 && cell.front() == '"' && cell.back() == '"')
+      cell = trimmed(cell.substr(1, cell.size() - 2));
+    cells.push_back(cell);
+    more = end != line.npos;
+    if (more) line.remove_prefix(end + 1);
+  }
+  return cells;
+}
+
+/// A table with a heading, of an engineer or exported.
+class ModeTable {
+ public:
+  explicit ModeTable(const ModeFileOptions& options) : options_(options) {}
+
+  void take_header(const std::string& where, const Cells& names) {
+    const auto column = [&](std::initializer_list<const char*> known) {
+      const auto found = std::ranges::find_if(names, [&](std::string_view name) {
+        return std::ranges::find(known, lower_case(name)) != known.end();
+      });
+      return found == names.end()
+                 ? std::nullopt
+                 : std::optional<std::size_t>(static_cast<std::size_t>(found - names.begin()));
+    };
+    const auto refuse = [&](const std::string& what, const std::string& remedy) {
+      throw InputError({where, what, remedy, ""});
+    };
+    if (column({"modal mass", "modalmass"}))
+      refuse("is the table Modal Participation Factors, which has no mass shares",
+             std::string("export Modal Participating Mass Ratios, and ") + add_participation);
+    period_ = column({"period_s", "period"});
+    share_ = column({"mass_share"});
+    if (!share_ && column({"ux", "uy"})) {
+      check_axis(where, options_);
+      share_ = column({*options_.axis == ModeAxis::x ? "ux" : "uy"});
+    }
+    participation_ = column({"participation"});
+    factor_ = column({"factor"});
+    shape_ = column({"roof_shape"});
+    case_ = column({"case", "outputcase"});
+    if (!period_ || !share_)
+      refuse(fmt::format("has no column {}", period_ ? "mass_share, or UX and UY" : "period_s"),
+             "begin with period_s,participation,mass_share, or with the heading of Modal "
+             "Participating Mass Ratios of ETABS or SAP 2000");
+    if (!participation_ && !(factor_ && (shape_ || !options_.roof_shape.empty())))
+      refuse("has mass shares, but no participation at the array", add_participation);
+  }
+
+  RowTrouble take_row(const Cells& cells) {
+    const std::string unit = lower_case(cells[*period_]);
+    if (rows_ == 0 && (unit == "sec" || unit == "s")) return {};  // the row of units
+    if (case_ && rows_ > 0 && cells[*case_] != name_) return {"is of another modal case"};
+    if (case_) name_ = cells[*case_];
+    const auto number = [&](const std::optional<std::size_t>& at) {
+      return at ? parse_number(cells[*at]) : std::nullopt;
+    };
+    const std::optional<double> period_s = number(period_), share = number(share_);
+    std::optional<double> participation = number(participation_);
+    if (!participation_) {
+      const auto factor = number(factor_),
+                 shape = shape_ ? number(shape_) : shape_of(options_, rows_);
+      if (factor && (shape || !shape_)) participation = *factor * shape.value_or(0.0);
+    }
+    ++rows_;
+    if (!period_s || !share || !participation) return {"has a cell that is not a number"};
+    return modes.add({*period_s, *participation, *share});
+  }
+  bool uses_roof_shape() const { return !participation_ && !shape_; }
+  std::size_t rows() const { return rows_; }
+
+  ModeList modes;
+
+ private:
+  const ModeFileOptions& options_;
+  std::optional<std::size_t> period_, share_, participation_, factor_, shape_, case_;
+  std::string name_;
+  std::size_t rows_ = 0;
+};
+
+/// Rows of numbers of a section of the report of OpenSees, "* 9. MODAL PARTICIPATION ...".
+std::vector<std::vector<double>> report_section(const std::filesystem::path& file,
+                                                std::string_view text, const char* heading) {
+  std::vector<std::vector<double>> rows;
+  LineReader lines(text);
+  bool inside = false;
+  while (lines.next()) {
+    if (trimmed(lines.line()).starts_with("*")) inside = lines.line().find(heading) != text.npos;
+    if (!inside || trimmed(lines.line()).starts_with("*") || is_blank_or_comment(lines.line()))
+      continue;
+    std::vector<double>& row = rows.emplace_back();
+    for (const std::string_view cell : fields(lines.line())) {
+      const auto value = parse_number(cell);
+      if (!value)
+        throw InputError({place(file, lines.number()), in_quotes(cell) + " is not a number",
+                          "give the report of modalProperties as OpenSees wrote it", ""});
+      row.push_back(*value);
+    }
+  }
+  return rows;
+}
+
+/// The report of modalProperties -file (DomainModalProperties of OpenSees).
+std::vector<Mode> read_report(const TextFile& file, const ModeFileOptions& options) {
+  constexpr std::size_t at_period = 4;
+  const auto section = [&](const char* heading) {
+    return report_section(file.path, file.text, heading);
   };
-  read_number_rows(file, {{{"period_s", "participation", "mass_share"}, take}});
-  constexpr double rounding = 1e-3;  // of shares with a few digits
-  if (mass_of(modes) > 1.0 + rounding)
+  const auto eigenvalues = section("2. EIGENVALUE ANALYSIS"),
+             factors = section("6. MODAL PARTICIPATION FACTORS"),
+             shares = section("9. MODAL PARTICIPATION MASS RATIOS (%)");
+  check_axis(file.path, options);
+  check_shapes(file.path, options, eigenvalues.size());
+  const std::size_t at_axis = *options.axis == ModeAxis::x ? 1 : 2;
+  ModeList modes;
+  for (std::size_t n = 0; n < eigenvalues.size(); ++n) {
+    if (factors.size() != eigenvalues.size() || shares.size() != eigenvalues.size() ||
+        eigenvalues[n].size() <= at_period || factors[n].size() <= at_axis ||
+        shares[n].size() <= at_axis)
+      throw InputError({file.path.string(), "is not whole: sections 2, 6 and 9 have other modes",
+                        "give the report of modalProperties as OpenSees wrote it", ""});
+    const RowTrouble trouble =
+        modes.add({eigenvalues[n][at_period], factors[n][at_axis] * options.roof_shape[n],
+                   shares[n][at_axis] / 100.0});
+    if (!trouble.what.empty())
+      throw InputError({fmt::format("{}, mode {}", file.path.string(), n + 1), trouble.what,
+                        "check the model", ""});
+  }
+  return std::move(modes).checked(file.path);
+}
+
+/// Without a first line "TABLE:  Modal Participating Mass Ratios"; lines keep their numbers.
+TextFile without_title(TextFile file) {
+  const std::size_t end = file.text.find('\n');
+  if (end != file.text.npos && lower_case(file.text.substr(0, end)).find("table:") < 4)
+    file.text.insert(0, "# ");
+  return file;
+}
+
+}  // namespace
+
+std::vector<Mode> read_modes(const std::filesystem::path& path, const ModeFileOptions& options) {
+  const TextFile file = without_title(path);
+  if (file.text.find("EIGENVALUE ANALYSIS") != file.text.npos) return read_report(file, options);
+  ModeTable table(options);
+  read_csv(file,
+           {.split = split_cells,
+            .begin_with = "period_s,participation,mass_share and give a row for each mode",
+            .take_header =
+                [&](const std::string& where, std::string_view, const Cells& names) {
+                  table.take_header(where, names);
+                  return true;
+                },
+            .take_row = [&](const Cells& cells, std::size_t) { return table.take_row(cells); }});
+  if (table.uses_roof_shape())
+    check_shapes(path, options, table.rows());
+  else if (!options.roof_shape.empty())
     throw InputError(
-        {file.string(),
-         fmt::format("the mass shares are {:.4g} together, more than 1", mass_of(modes)),
-         "give those of one axis, each as a fraction of the building's mass", ""});
-  return modes;
+        {"--roof-shape", path.string() + " has the participations itself", "leave it out", ""});
+  return std::move(table.modes).checked(path);
 }
 
 }  // namespace glissade

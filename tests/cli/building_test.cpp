@@ -55,6 +55,93 @@ TEST(Building, is_equal_storeys_their_masses_or_a_file_of_modes) {
   EXPECT_TRUE(listed.at("warnings").empty());
 }
 
+// Three modes of which the second is along y; participations 1.22 and -0.28.
+TEST(Building, takes_the_tables_of_etabs_and_sap_2000_and_the_report_of_opensees) {
+  const ScratchFolder folder;
+  const std::vector<std::string> files{
+      folder.write("etabs.csv",
+                   "TABLE:  Modal Participating Mass Ratios\n"
+                   "Case,Mode,Period,UX,UY,UZ,SumUX,SumUY,participation\n"
+                   ",,sec,,,,,,\n"
+                   "Modal,1,0.5,0.91,0,0,0.91,0,1.22\n"
+                   "Modal,2,0.4,0,0.9,0,0.91,0.9,0\n"
+                   "Modal,3,0.18,0.07,0,0,0.98,0.9,-0.28\n"),
+      folder.write("sap.csv",
+                   "\"TABLE:  Modal Participating Mass Ratios\"\n"
+                   "OutputCase;StepType;StepNum;Period;UX;UY;factor;roof_shape\n"
+                   "Text;Text;Unitless;Sec;Unitless;Unitless;;\n"
+                   "MODAL;Mode;1;0.5;0.91;0;-12.2;-0.1\n"
+                   "MODAL;Mode;2;0.4;0;0.9;0;0.1\n"
+                   "MODAL;Mode;3;0.18;0.07;0;2.8;-0.1\n"),
+      folder.write("modal.txt",
+                   "# MODAL ANALYSIS REPORT\n\n"
+                   "* 2. EIGENVALUE ANALYSIS:\n"
+                   "#          MODE        LAMBDA         OMEGA     FREQUENCY        PERIOD\n"
+                   "# ------------- ------------- ------------- ------------- -------------\n"
+                   "              1       157.914       12.5664             2           0.5\n"
+                   "              2        246.74        15.708           2.5           0.4\n"
+                   "              3       1218.47       34.9066       5.55556          0.18\n\n"
+                   "* 6. MODAL PARTICIPATION FACTORS:\n"
+                   "# The participation factor for a certain mode\n"
+                   "#          MODE            MX            MY           RMZ\n"
+                   "              1          12.2             0             0\n"
+                   "              2             0          12.0             0\n"
+                   "              3          -2.8             0             0\n\n"
+                   "* 9. MODAL PARTICIPATION MASS RATIOS (%):\n"
+                   "#          MODE            MX            MY           RMZ\n"
+                   "              1            91             0             0\n"
+                   "              2             0            90             0\n"
+                   "              3             7             0             0\n\n"
+                   "* 10. MODAL PARTICIPATION MASS RATIOS (%) (cumulative):\n"
+                   "              1            91             0             0\n")};
+  for (std::size_t i = 0; i < files.size(); ++i) {
+    std::vector<std::string> options{"--modes", files[i], "--axis", "x"};
+    if (i == 2) options.insert(options.end(), {"--roof-shape", "0.1", "0.1", "0.1"});
+    const Json modes = building_json(options).at("modes");
+    ASSERT_EQ(modes.size(), 2u) << files[i];
+    EXPECT_EQ(modes.at(0).at("period_s"), 0.5);
+    EXPECT_EQ(modes.at(1).at("period_s"), 0.18);
+    EXPECT_NEAR(modes.at(0).at("participation"), 1.22, 1e-12);
+    EXPECT_NEAR(modes.at(1).at("participation"), -0.28, 1e-12);
+    EXPECT_NEAR(modes.at(0).at("mass_share"), 0.91, 1e-12);
+  }
+  const auto refused = [](std::vector<std::string> options, const std::string& what) {
+    options.insert(options.begin(), {"building", "--modes"});
+    expect_refused(run_program(options), {what});
+  };
+  refused({files[0]}, "--axis x or --axis y");
+  refused({files[2], "--axis", "x"}, "--roof-shape");
+  refused({files[2], "--axis", "x", "--roof-shape", "1", "2"}, "has 3 modes");
+  refused({files[0], "--axis", "x", "--roof-shape", "1", "2", "3"}, "leave it out");
+  const std::string bare = folder.write("bare.csv", "Case,Mode,Period,UX,UY\nModal,1,0.5,0.91,0\n");
+  refused({bare, "--axis", "x"}, "Modal Participation Factors");
+  const std::string factors =
+      folder.write("factors.csv", "Case,Mode,Period,UX,UY,Modal Mass\nModal,1,0.5,0.91,0,1\n");
+  refused({factors, "--axis", "x"}, "which has no mass shares");
+  const std::string cases = folder.write(
+      "cases.csv", "Case,Period,UX,participation\nModal,0.5,0.9,1.2\nRitz,0.4,0.1,0.1\n");
+  refused({cases, "--axis", "x"}, "another modal case");
+}
+
+TEST(Building, amplifies_a_given_spectrum) {
+  const ScratchFolder folder;
+  const std::string modes = folder.write(
+                        "m.csv", "period_s,participation,mass_share\n0.5,1.2,0.9\n0.1,-0.3,0.1\n"),
+                    spectrum = folder.write("s.csv",
+                                            "period_s,design_sa_g\n0,0.4\n0.2,1.2\n1,1.0\n2,0.5\n");
+  const Json json = building_json({"--modes", modes, "--spectrum", spectrum});
+  const double first_g = 1.2 - 0.2 * 0.3 / 0.8, second_g = 0.8, ground_g = 0.4;
+  EXPECT_NEAR(json.at("peak_roof_acceleration_g").at("modes"),
+              std::sqrt(std::pow(1.2 * first_g, 2) + std::pow(0.3 * second_g, 2) +
+                        std::pow(0.1 * ground_g, 2)),
+              1e-12);
+  EXPECT_NEAR(json.at("peak_roof_acceleration_g").at("sds_g"), 0.9 * 1.2, 1e-12);
+  EXPECT_TRUE(json.at("warnings").empty());
+  const std::string late = folder.write("l.csv", "period_s,design_sa_g\n0.2,1.2\n0.4,1.0\n");
+  EXPECT_FALSE(building_json({"--modes", modes, "--spectrum", late}).at("warnings").empty());
+  expect_refused(run_program({"building", "--modes", modes, "--spectrum", modes}), {"design_sa_g"});
+}
+
 TEST(Building, refuses_what_is_none_and_warns_of_missing_modes) {
   const ScratchFolder folder;
   const auto modes = [&](const std::string& rows) {

@@ -23,6 +23,9 @@ Suite load_suite(const std::filesystem::path& file);
 /// where the file is not TOML.
 bool has_roof_motions(const std::filesystem::path& suite_file);
 
+/// A design spectrum by points: CSV with period_s and design_sa_g (or mce_sa_g). Throws InputError.
+DesignTarget read_spectrum(const std::filesystem::path& file);
+
 /// A design target, and the file of one by points.
 struct StatedTarget {
   DesignTarget target;

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "glissade/io/suite_file.hpp"
 #include "glissade/motion/improbable.hpp"
 #include "text/csv_rows.hpp"
 
@@ -42,9 +43,7 @@ void read_site_classes(const TomlTable& table, DesignTarget& target) {
   }
 }
 
-void read_spectrum(const TomlTable& table, DesignTarget& target) {
-  const std::string name = table.required_text("spectrum");
-  if (name.empty()) return;
+void read_points(const TextFile& file, DesignTarget& target) {
   const auto take = [&](double mce_factor) {
     return [&target, mce_factor](const NumberRow& of_file) -> RowTrouble {
       const std::vector<double>& row = of_file.values;
@@ -60,9 +59,15 @@ void read_spectrum(const TomlTable& table, DesignTarget& target) {
       return {};
     };
   };
+  read_number_rows(
+      file, {{{"period_s", "design_sa_g"}, take(1.0)}, {{"period_s", "mce_sa_g"}, take(1.5)}});
+}
+
+void read_spectrum(const TomlTable& table, DesignTarget& target) {
+  const std::string name = table.required_text("spectrum");
+  if (name.empty()) return;
   try {
-    read_number_rows(table.text_file(name), {{{"period_s", "design_sa_g"}, take(1.0)},
-                                             {{"period_s", "mce_sa_g"}, take(1.5)}});
+    read_points(table.text_file(name), target);
   } catch (const InputError& error) {
     table.report("spectrum", error);
     return;
@@ -118,6 +123,12 @@ void read_mapped(const TomlTable& table, DesignTarget& target) {
 }
 
 }  // namespace
+
+DesignTarget read_spectrum(const std::filesystem::path& file) {
+  DesignTarget target;
+  read_points(file, target);
+  return target;
+}
 
 DesignTarget read_target(const TomlTable& table, std::optional<DesignTarget>* mapped) {
   const EnumNames<AsceEdition> editions = {{"asce7_10", AsceEdition::asce7_10},
