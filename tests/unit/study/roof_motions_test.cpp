@@ -2,16 +2,21 @@
 // Suites whose motions are those of a roof.
 #include <gmock/gmock.h>
 
+#include "glissade/block/slide.hpp"
 #include "glissade/building/roof_motion.hpp"
 #include "glissade/core/error.hpp"
 #include "unit/io/problems.hpp"
+#include "unit/study/shear_frame.hpp"
 #include "unit/study/small_study.hpp"
 
 namespace glissade {
 namespace {
 
+using test::ChainMode;
 using test::fixed;
 using test::listed;
+using test::roofs_of;
+using test::ShearFrame;
 using testing::HasSubstr;
 
 constexpr double period_s = 0.4, damping = 0.05;
@@ -75,6 +80,70 @@ TEST(roof_motions, of_one_mass_give_the_displacements_of_the_ground_on_that_buil
     });
     EXPECT_GT(slid, 9);  // of 18
   }
+}
+
+/// Three equal storeys; first period 0.6 s.
+constexpr double storey_mass_kg = 1e5;
+double storey_stiffness_npm() {
+  const double at_one = ChainMode(3, 1, storey_mass_kg, 1.0).omega_radps;
+  return std::pow(2.0 * std::numbers::pi / 0.6 / at_one, 2);
+}
+ShearFrame three_storeys() {
+  const double k = storey_stiffness_npm();
+  return {{storey_mass_kg, storey_mass_kg, storey_mass_kg}, {k, k, k}, damping};
+}
+
+/// By closed forms of its modes: a_g + sum of gamma D'', where the gamma are 1 together.
+std::vector<double> closed_form_roof_mps2(double dt_s, std::span<const double> ground, int parts,
+                                          double free_s) {
+  std::vector<double> roof;
+  for (int j = 1; j <= 3; ++j) {
+    const ChainMode mode(3, j, storey_mass_kg, storey_stiffness_npm());
+    const auto a = mode.acceleration_mps2(dt_s, ground, parts, free_s, damping);
+    roof.resize(a.size());
+    for (std::size_t i = 0; i < a.size(); ++i) roof[i] += mode.participation * a[i];
+  }
+  return roof;
+}
+
+TEST(roof_motions, of_a_frame_by_full_matrices_are_those_of_its_modes_in_closed_form) {
+  const Motion m = test::small_suite().motions.front();
+  const auto by_matrices = three_storeys().roof_mps2(m.dt_s, m.horizontal_mps2[0], 5, 2.0),
+             by_modes = closed_form_roof_mps2(m.dt_s, m.horizontal_mps2[0], 5, 2.0);
+  ASSERT_EQ(by_matrices.size(), by_modes.size());
+  double largest = 0.0, difference = 0.0;
+  for (std::size_t i = 0; i < by_modes.size(); ++i) {
+    largest = std::max(largest, std::abs(by_modes[i]));
+    difference = std::max(difference, std::abs(by_matrices[i] - by_modes[i]));
+  }
+  EXPECT_GT(largest, 1.0);
+  EXPECT_LT(difference, 1e-11 * largest);
+}
+
+// The reference has the closed form at three times as many instants.
+TEST(roof_motions, of_a_frame_give_the_displacements_of_its_roof_in_closed_form) {
+  const Suite ground = test::small_suite();
+  constexpr int parts = 100, finer = 3;
+  constexpr double free_s = 6.0;
+  const StudyConfig config = as_recorded(SlidingAxes::one);
+  const HistoryTable found =
+      test::run(make_plan(config, {roofs_of(three_storeys(), ground, parts, free_s)})).histories;
+  std::vector<std::vector<double>> roofs;
+  for (const Motion& m : ground.motions)
+    roofs.push_back(closed_form_roof_mps2(m.dt_s, m.horizontal_mps2[0], finer * parts, free_s));
+  int slid = 0;
+  test::for_each_history(found, [&](std::size_t record, std::size_t c, std::size_t level) {
+    const Motion& m = ground.motions[record];
+    const RoofAcceleration roof{.dt_s = m.dt_s / (finer * parts),
+                                .horizontal_mps2 = roofs[record],
+                                .horizontal_factor = m.scale * config.intensity.levels[level]};
+    const Block block{.friction = config.quantities.at("friction", "mu").values[c],
+                      .slope_rad = 1.0 * rad_per_deg};
+    const double expected_m = slide(roof, block).peak_displacement_m;
+    slid += expected_m > 0.0;
+    EXPECT_NEAR(found.displacement_m(record, c, level), expected_m, 5e-6 * expected_m + 1e-9);
+  });
+  EXPECT_GT(slid, 9);  // of 18
 }
 
 TEST(roof_motions, refuse_what_needs_the_ground_or_a_building) {
