@@ -89,6 +89,7 @@ TEST(impact, percentiles_are_over_the_histories_that_get_there) {
   const ImpactStatistics s = study.statistics().front();
   EXPECT_EQ(s.reached_share.value, 11.0 / 40.0);
   EXPECT_DOUBLE_EQ(s.speed_median_mps.value, 6.0);
+  EXPECT_DOUBLE_EQ(s.speed_p16_mps, 2.6);
   EXPECT_DOUBLE_EQ(s.speed_p84_mps.value, 9.4);
   EXPECT_DOUBLE_EQ(s.speed_p95_mps, 10.5);
   EXPECT_EQ(s.speed_largest_mps, 11.0);
