@@ -56,6 +56,12 @@ class LaneHistory {
   const Constants<double>& constants() const { return constants_; }
   /// DistanceCrossings::next2
   double next2() const { return crossings_.next2(); }
+  /// LaneStates::rows
+  std::int64_t rows() const;
+  /// LaneStates::limit
+  std::int64_t limit() const {
+    return static_cast<std::int64_t>(roof_ == RoofKind::modes ? table_->end : ground_.end);
+  }
   /// A lane's step reached it.
   void crossed(const LaneStates& lanes, std::size_t lane);
   /// A lane's normal force was below zero.
@@ -83,7 +89,7 @@ class LaneHistory {
   RoofPiece::BlockVelocity plan_velocity(Vector v) const;
   RoofPiece piece(const HistoryState& state,
                   const RoofPiece::BlockVelocity& block_velocity = {}) const {
-    return RoofPiece(state, ground_, constants_, roof_, block_velocity);
+    return RoofPiece(state, ground_, *table_, constants_, roof_, block_velocity);
   }
   template <class At>
   void displace(HistoryState& state, Vector displacement, const At& at, double begin_s,

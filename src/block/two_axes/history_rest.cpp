@@ -18,6 +18,13 @@ LaneHistory::LaneHistory(const Constants<double>& constants, RoofKind roof,
       table_(std::move(table)),
       crossings_(crossings) {}
 
+std::int64_t LaneHistory::rows() const {
+  if (table_->rows.empty()) return 0;
+  const auto bytes = [](const double* at) { return reinterpret_cast<std::intptr_t>(at); };
+  return (bytes(table_->rows.data()) - bytes(ground_.nodes.data())) /
+         static_cast<std::intptr_t>(sizeof(double));
+}
+
 LaneHistory::Next LaneHistory::begin(HistoryState& state) {
   state = resting_at(0, {});
   if (release(piece(state)) == 0.0) return start(state);
@@ -127,7 +134,7 @@ bool LaneHistory::starts_after(std::size_t node, const RoofAtRest& roof, History
 LaneHistory::Next LaneHistory::rest_from_node(HistoryState& state) {
   RoofAtRest roof(constants_, roof_, ground_, *table_, state);
   const auto begin = static_cast<std::size_t>(state.node);
-  const std::size_t quiet = ground_.quiet;
+  const std::size_t quiet = table_->end;
   std::size_t next_interval = begin;  // the first not looked into
   const auto starts_in = [&](std::size_t interval) {
     if (interval < next_interval) return false;
@@ -135,6 +142,8 @@ LaneHistory::Next LaneHistory::rest_from_node(HistoryState& state) {
     return starts_after(interval, roof, state);
   };
   for (std::size_t i = begin;;) {
+    if (roof_ == RoofKind::modes && i >= quiet)  // what comes is known by its bound alone
+      return roof.sticks_from(i) ? Next::finished : Next::unsupported;
     if (!roof.after_record() && i >= quiet) roof.end_record();
     if (roof.sticks_from(i)) return Next::finished;
     if (i >= ground_.end) return ground_.ends_early() ? Next::unsupported : Next::finished;

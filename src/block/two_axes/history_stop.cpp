@@ -25,7 +25,7 @@ RoofPiece::BlockVelocity LaneHistory::plan_velocity(Vector v) const {
 LaneHistory::Next LaneHistory::event(HistoryState& state) {
   LaneMotion<double>& m = state.motion;
   const bool diverged = m.trial == 0.0;
-  if (diverged || state.node >= static_cast<std::int64_t>(ground_.end)) return Next::unsupported;
+  if (diverged || state.node >= limit()) return Next::unsupported;
   const Vector v = velocity(state);
   const double speed = length(v);
   if (speed == 0.0) return rest(state);

@@ -34,8 +34,8 @@ class ImplicitSeries : public RoofSeries<roof, cubic, roof == RoofKind::rigid ? 
   /// The roof as if the block's rate stayed what it is at the begin.
   HWY_INLINE ImplicitSeries(const Constants<Rows>& constants, const LaneMotion<Rows>& m, Here lanes,
                             const Ramped& first, const Ramped& second, const Ramped& vertical,
-                            V length)
-      : Base(constants, m, lanes, first, second, vertical, length) {
+                            const TableRow& row, V length)
+      : Base(constants, m, lanes, first, second, vertical, row, length) {
     speed = hn::Sqrt(here(m.v_s) * here(m.v_s) +
                      (here(c.aspect) * here(m.v_y)) * (here(c.aspect) * here(m.v_y)));
     v_s[2] = v_s[3] = v_y[2] = v_y[3] = hn::Zero(Doubles());

@@ -31,6 +31,7 @@ using Mask = hn::Mask<Doubles>;
 
 constexpr int order = 6;        // of the velocity
 constexpr int roof_order = 10;  // of the building
+static_assert(roof_order == row_terms);
 
 inline V Number(double value) { return hn::Set(Doubles(), value); }
 
@@ -81,6 +82,17 @@ struct Ramped {
   V begin, rise;
 };
 
+/// The series of a roof of modes over a sample interval, of the lanes' own tables.
+struct TableRow {
+  const double* nodes;
+  hn::Vec<Indices> at;
+
+  template <std::size_t axis, int k>
+  HWY_INLINE V Term() const {
+    return hn::GatherIndex(Doubles(), nodes + (axis * row_terms + k), at);
+  }
+};
+
 /// Series in tau, the fraction of the rest of the interval that has passed; h is its length. The
 /// roof under a block whose velocity is given by its first terms, and the load, times h.
 template <RoofKind roof, int velocity_terms, int load_terms>
@@ -92,7 +104,8 @@ class RoofSeries {
   V weight[load_terms];                // n on a roof that the block does not accelerate
 
   HWY_INLINE RoofSeries(const Constants<Rows>& constants, const LaneMotion<Rows>& m, Here lanes,
-                        const Ramped& first, const Ramped& second, const Ramped& vertical, V length)
+                        const Ramped& first, const Ramped& second, const Ramped& vertical,
+                        const TableRow& row, V length)
       : c(constants), here(lanes), h(length), ground_1(first), ground_2(second), up(vertical) {
     v_s[0] = here(m.v_s);
     v_y[0] = here(m.v_y);
@@ -106,7 +119,11 @@ class RoofSeries {
       b_2s = here(c.omega_rho_2) * (here(c.s) * here(c.cosine2));
       b_2y = here(c.omega_rho_2) * (here(c.c) * here(c.cosine));
     }
-    if constexpr (roof != RoofKind::rigid) {
+    if constexpr (roof == RoofKind::modes) {
+      Read<0>(row, here(c.factor_1), here(m.left), a_1);
+      Read<1>(row, here(c.factor_2), here(m.left), a_2);
+    }
+    if constexpr (has_state(roof)) {
       phase_1 = here(c.omega_1) * h;
       phase_2 = here(c.omega_2) * h;
       x_1[0] = here(m.x_1);
@@ -119,7 +136,7 @@ class RoofSeries {
   /// The term k of the load, by those of the velocity up to it.
   template <int k>
   HWY_INLINE void Term() {
-    if constexpr (roof != RoofKind::rigid) Respond<k>();
+    if constexpr (has_state(roof)) Respond<k>();
     if constexpr (k < load_terms) Load<k>();
   }
 
@@ -134,6 +151,31 @@ class RoofSeries {
   V h_c, h_s, h_c_across, h_s_across;
   V b_1s, b_1y, b_2s, b_2y;  // from the block's velocity to its effect on the building's axes
   V a_1[roof_order], a_2[roof_order];
+
+  /// The acceleration of an axis over the rest of the interval.
+  template <std::size_t axis>
+  HWY_INLINE void Read(const TableRow& row, V factor, V left, V (&a)[roof_order]) {
+    const V one = Number(1.0);
+    if (hn::AllTrue(Doubles(), hn::Eq(left, one))) {
+      ForOrders<0, load_terms>([&](auto k)
+                                   GLISSADE_INLINE_LAMBDA { a[k] = factor * row.Term<axis, k>(); });
+      return;
+    }
+    ForOrders<0, roof_order>([&](auto k) GLISSADE_INLINE_LAMBDA { a[k] = row.Term<axis, k>(); });
+    // Horner's shift to what has passed, then a change of scale.
+    const V passed = one - left;
+    ForOrders<0, load_terms>([&](auto i) GLISSADE_INLINE_LAMBDA {
+      ForOrders<0, roof_order - 1 - i>([&](auto j) GLISSADE_INLINE_LAMBDA {
+        constexpr int k = roof_order - 2 - j;
+        a[k] = a[k] + passed * a[k + 1];
+      });
+    });
+    V scale = factor;
+    ForOrders<0, load_terms>([&](auto k) GLISSADE_INLINE_LAMBDA {
+      a[k] = scale * a[k];
+      scale = scale * left;
+    });
+  }
 
   /// One axis of the building, and its acceleration as far as the block's own
   /// has no part in it.
@@ -203,8 +245,9 @@ class StepSeries : public RoofSeries<roof, order + 1, order> {
   V speed[order];  // u
 
   HWY_INLINE StepSeries(const Constants<Rows>& constants, const LaneMotion<Rows>& m, Here lanes,
-                        const Ramped& first, const Ramped& second, const Ramped& vertical, V length)
-      : Base(constants, m, lanes, first, second, vertical, length) {
+                        const Ramped& first, const Ramped& second, const Ramped& vertical,
+                        const TableRow& row, V length)
+      : Base(constants, m, lanes, first, second, vertical, row, length) {
     aspect2 = here(c.aspect) * here(c.aspect);
     speed[0] = hn::Sqrt(v_s[0] * v_s[0] + aspect2 * (v_y[0] * v_y[0]));
     per_speed = hn::Div(Number(1.0), speed[0]);
@@ -216,7 +259,9 @@ class StepSeries : public RoofSeries<roof, order + 1, order> {
       if constexpr (k > 0) Speed<k>();
       Rate<k>();
     });
-    ForOrders<order, roof_order>([&](auto k) GLISSADE_INLINE_LAMBDA { this->template Term<k>(); });
+    if constexpr (has_state(roof))
+      ForOrders<order, roof_order>([&](auto k)
+                                       GLISSADE_INLINE_LAMBDA { this->template Term<k>(); });
   }
 
  private:

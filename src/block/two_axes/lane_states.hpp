@@ -7,9 +7,17 @@
 
 namespace glissade::block_detail::two_axes {
 
-/// What the block lies on: ground, a building without the mass of the block, one
-/// that does.
-enum class RoofKind { rigid, building, coupled };
+/// What the block lies on: ground; a building, of one mass or of several modes, without the mass of
+/// the block; one with it.
+enum class RoofKind { rigid, building, modes, coupled };
+
+/// Whether the building's state goes with the block: else the roof is known beforehand.
+constexpr bool has_state(RoofKind roof) {
+  return roof == RoofKind::building || roof == RoofKind::coupled;
+}
+
+/// Terms of the power series of a roof of modes over a sample interval (RestTable::rows).
+constexpr std::size_t row_terms = 10;
 
 /// A block that slides, at an instant. Velocity per cos(slope), displacement in
 /// plan, both in the axes of the slope. A building by its own axes, scaled
@@ -56,9 +64,11 @@ struct LaneStates {
 
   alignas(64) LaneMotion<Lanes> motion = {};
   alignas(64) Constants<Lanes> constants = {};
-  alignas(64) std::int64_t node[count] = {};  ///< before which sample interval's begin
-  std::uint64_t active = 0;                   ///< lanes, as bits
-  alignas(64) double next2[count] = {};       ///< DistanceCrossings::next2
+  alignas(64) std::int64_t node[count] = {};   ///< before which sample interval's begin
+  alignas(64) std::int64_t limit[count] = {};  ///< node from which on the lane does not go
+  alignas(64) std::int64_t rows[count] = {};   ///< RestTable::rows, from GroundRows::nodes on
+  std::uint64_t active = 0;                    ///< lanes, as bits
+  alignas(64) double next2[count] = {};        ///< DistanceCrossings::next2
   /// Of a lane's last step that reached it: displacement in plan as a series in the fraction of the
   /// interval's rest of `length_s`, up to `fraction`.
   static constexpr std::size_t path_terms = 8;
@@ -88,7 +98,6 @@ struct LaneStates {
 struct GroundRows {
   const double* nodes;
   std::int64_t last;
-  std::int64_t limit;  ///< the lanes do not go on from here
   double dt_s;
   bool vertical;  ///< whether there is one
 };

@@ -73,8 +73,15 @@ struct LaneInterval {
   Mask before;  // the last that the lanes go through
   V end_1, end_2, end_w;
   Ramped ground_1, ground_2, up;
+  TableRow row;
   V h;
 };
+
+/// Where the row of a node begins in RestTable::rows.
+HWY_INLINE hn::Vec<Indices> RowStart(hn::Vec<Indices> node) {
+  static_assert(2 * row_terms == 16 + 4);
+  return hn::Add(hn::ShiftLeft<4>(node), hn::ShiftLeft<2>(node));
+}
 
 HWY_INLINE LaneInterval LoadInterval(const LaneStates& lanes, const GroundRows& ground, Here here) {
   const LaneMotion<Rows>& m = lanes.motion;
@@ -90,13 +97,14 @@ HWY_INLINE LaneInterval LoadInterval(const LaneStates& lanes, const GroundRows& 
   if (ground.vertical) end_w = here(c.factor_w) * hn::GatherIndex(d, ground.nodes + 2, at);
   return {node,
           next,
-          hn::RebindMask(d, hn::Lt(node, hn::Set(di, ground.limit))),
+          hn::RebindMask(d, hn::Lt(node, hn::Load(di, lanes.limit + here.first))),
           end_1,
           end_2,
           end_w,
           {here(m.ground_1), end_1 - here(m.ground_1)},
           {here(m.ground_2), end_2 - here(m.ground_2)},
           {here(m.w), end_w - here(m.w)},
+          {ground.nodes, hn::Add(hn::Load(di, lanes.rows + here.first), RowStart(node))},
           Number(ground.dt_s) * here(m.left)};
 }
 
@@ -210,7 +218,7 @@ HWY_INLINE void Commit(LaneStates& lanes, std::size_t first, Mask goes, const La
   commit(to.ground_1, m.ground_1);
   commit(to.ground_2, m.ground_2);
   commit(to.w, m.w);
-  if constexpr (roof != RoofKind::rigid) {
+  if constexpr (has_state(roof)) {
     commit(to.x_1, m.x_1);
     commit(to.y_1, m.y_1);
     commit(to.x_2, m.x_2);
@@ -268,7 +276,7 @@ HWY_INLINE void Advance(LaneStates& lanes, const GroundRows& ground, Here here,
   to.ground_1 = ramp(interval.end_1, interval.ground_1);
   to.ground_2 = ramp(interval.end_2, interval.ground_2);
   to.w = ramp(interval.end_w, interval.up);
-  if constexpr (roof != RoofKind::rigid) {
+  if constexpr (has_state(roof)) {
     to.x_1 = Polynomial(z.x_1, f);
     to.y_1 = Polynomial(z.y_1, f);
     to.x_2 = Polynomial(z.x_2, f);
@@ -298,7 +306,7 @@ HWY_INLINE Stepped TaylorStep(LaneStates& lanes, const GroundRows& ground, Here 
   const LaneMotion<Rows>& m = lanes.motion;
   const Constants<Rows>& c = lanes.constants;
   LaneInterval i = LoadInterval(lanes, ground, here);
-  StepSeries<roof> z(c, m, here, i.ground_1, i.ground_2, i.up, i.h);
+  StepSeries<roof> z(c, m, here, i.ground_1, i.ground_2, i.up, i.row, i.h);
 
   LaneMotion<V> to{};
   to.fastest = hn::Max(here(m.fastest), z.speed[0]);
@@ -384,7 +392,7 @@ class ImplicitStep {
         m(lanes.motion),
         c(lanes.constants),
         i(LoadInterval(lanes, ground, here)),
-        z(c, m, here, i.ground_1, i.ground_2, i.up, i.h) {
+        z(c, m, here, i.ground_1, i.ground_2, i.up, i.row, i.h) {
     const V zero = hn::Zero(Doubles());
     // A speed within the tolerance, against the load (LaneHistory::reverse).
     speed = z.Length(here(m.v_s), here(m.v_y));
@@ -527,6 +535,8 @@ Stepped Step(LaneStates& lanes, const GroundRows& ground, RoofKind roof, StepKin
       return StepsOn<RoofKind::rigid>(lanes, ground, kind);
     case RoofKind::building:
       return StepsOn<RoofKind::building>(lanes, ground, kind);
+    case RoofKind::modes:
+      return StepsOn<RoofKind::modes>(lanes, ground, kind);
     case RoofKind::coupled:
       break;
   }

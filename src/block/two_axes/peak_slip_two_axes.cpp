@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "block/full_model/building_axis.hpp"
 #include "glissade/block/two_axis_lanes.hpp"
 #include "glissade/core/contract.hpp"
 #include "glissade/core/finite.hpp"
@@ -48,24 +49,35 @@ class RestTables {
     for (const auto& [other, table] : kept_)
       if (key == other) return table;
     std::shared_ptr<RestTable> table;
-    if (kept_.size() >= most_kept(nodes)) {
-      if (kept_.front().second.use_count() == 1) table = std::move(kept_.front().second);
+    const bool of_modes = roof == RoofKind::modes;
+    while (kept_.size() >= most_kept(nodes, of_modes)) {
+      auto& [other, oldest] = kept_.front();
+      if (oldest.use_count() == 1 && of_modes == !oldest->rows.empty()) table = std::move(oldest);
       kept_.erase(kept_.begin());
     }
     if (table == nullptr) table = std::make_shared<RestTable>();
-    table->tabulate(nodes, block_detail::two_axes::constants_of(scene, 1.0), roof);
+    if (of_modes)
+      table->tabulate(nodes, scene.building.horizontal);
+    else
+      table->tabulate(nodes, block_detail::two_axes::constants_of(scene, 1.0), roof);
     return kept_.emplace_back(key, std::move(table)).second;
   }
 
  private:
   /// Each search for a capacity needs the tables of its batch again.
-  static std::size_t most_kept(const GroundNodes& nodes) {
-    constexpr std::size_t most_bytes = 32 << 20, rows = 6;
+  static std::size_t most_kept(const GroundNodes& nodes, bool of_modes) {
+    constexpr std::size_t most_bytes = 32 << 20;
+    const std::size_t rows = of_modes ? 2 + 2 * block_detail::two_axes::row_terms : 6;
     const std::size_t bytes = rows * sizeof(double) * (nodes.quiet + 1);
     return std::clamp<std::size_t>(most_bytes / bytes, 2, 64);
   }
   std::vector<std::pair<BuildingKey, std::shared_ptr<RestTable>>> kept_;
 };
+
+bool has_modes(const TwoAxisScene& scene) {
+  return std::ranges::any_of(scene.building.horizontal,
+                             [](const Modes& axis) { return axis.size() > 1; });
+}
 
 /// Scenes under one motion, and where their results go.
 struct Batch {
@@ -136,6 +148,8 @@ struct OwnedLanes {
     LaneStates::store(lanes.motion, lane, next->state.motion);
     lanes.node[lane] = next->state.node;
     lanes.next2[lane] = next->history.next2();
+    lanes.limit[lane] = next->history.limit();
+    lanes.rows[lane] = next->history.rows();
     steps[lane] = next->implicit_steps;
     lanes.active |= std::uint64_t{1} << lane;
     owners[lane] = std::move(next);
@@ -143,6 +157,7 @@ struct OwnedLanes {
   std::unique_ptr<Underway> take(std::size_t lane) {
     LaneStates::load(lanes.motion, lane, owners[lane]->state.motion);
     owners[lane]->state.node = lanes.node[lane];
+    lanes.node[lane] = lanes.rows[lane] = 0;  // its vector may still read there
     owners[lane]->implicit_steps = steps[lane];
     lanes.active &= ~(std::uint64_t{1} << lane);
     return std::move(owners[lane]);
@@ -201,8 +216,7 @@ class Pool {
 
   void step(OwnedLanes& owned) {
     const GroundNodes& nodes = state_.nodes;
-    const GroundRows ground{nodes.nodes.data(), static_cast<std::int64_t>(nodes.quiet),
-                            static_cast<std::int64_t>(nodes.end), nodes.dt_s,
+    const GroundRows ground{nodes.nodes.data(), static_cast<std::int64_t>(nodes.quiet), nodes.dt_s,
                             state_.ground.vertical != nullptr};
     LaneStates& lanes = owned.lanes;
     const Stepped stepped = block_detail::two_axes::step(lanes, ground, roof_, owned.kind);
@@ -288,8 +302,17 @@ void TwoAxisLanes::slide(std::span<const TwoAxisScene> scenes, std::span<TwoAxis
                          std::span<const double> thresholds_m, std::span<Crossing> crossings) {
   GLISSADE_EXPECTS(scenes.size() == peaks.size());
   GLISSADE_EXPECTS(crossings.size() == scenes.size() * thresholds_m.size());
+  const double dt_s = state_->ground.horizontal[0]->step_s();
+  std::vector<TwoAxisScene> of_modes;  // all, if there are modes
+  if (std::ranges::any_of(scenes, has_modes)) {
+    of_modes.assign(scenes.begin(), scenes.end());
+    for (TwoAxisScene& scene : of_modes)
+      for (Modes& axis : scene.building.horizontal)
+        if (axis.size() > 1) axis = block_detail::responding(axis, dt_s);
+    scenes = of_modes;
+  }
   const Batch batch{scenes, peaks, thresholds_m, crossings};
-  std::array<std::vector<std::size_t>, 3> tasks;  // by roof
+  std::array<std::vector<std::size_t>, 4> tasks;  // by roof
   for (std::size_t k = 0; k < scenes.size(); ++k) {
     require_finite_scene(scenes[k].building, scenes[k].block, scenes[k].factors);
     if (block_detail::two_axes::fits_lanes(scenes[k], state_->ground))
@@ -297,7 +320,8 @@ void TwoAxisLanes::slide(std::span<const TwoAxisScene> scenes, std::span<TwoAxis
     else
       state_->by_reference(batch, k);
   }
-  for (const RoofKind roof : {RoofKind::rigid, RoofKind::building, RoofKind::coupled}) {
+  for (const RoofKind roof :
+       {RoofKind::rigid, RoofKind::building, RoofKind::modes, RoofKind::coupled}) {
     std::vector<std::size_t>& on_roof = tasks[static_cast<std::size_t>(roof)];
     if (on_roof.empty()) continue;
     std::ranges::stable_sort(on_roof, {},

@@ -18,17 +18,23 @@ double omega_of(const Mode& mode) {
   return mode.period_s > 0.0 ? 2.0 * std::numbers::pi / mode.period_s : 0.0;
 }
 
-bool fits_lanes(const Modes& axis, double dt_s) {
-  const Mode& mode = axis[0];
-  return axis.is_one_mass() && omega_of(mode) * dt_s <= longest_phase_in_lanes &&
-         mode.damping_ratio >= least_damping && mode.damping_ratio <= most_damping;
+/// Of modes only, whose roof is a polynomial to 1e-8 up to this phase.
+constexpr double longest_phase_of_modes = 2.6;
+
+bool fits_lanes(const Modes& axis, double longest_phase, double dt_s) {
+  return std::ranges::all_of(axis, [&](const Mode& mode) {
+    return omega_of(mode) * dt_s <= longest_phase && mode.damping_ratio >= least_damping &&
+           mode.damping_ratio <= most_damping;
+  });
 }
 
 }  // namespace
 
 RoofKind roof_of(const TwoAxisScene& scene) {
-  if (scene.building.horizontal[0].rigid()) return RoofKind::rigid;
-  return scene.building.mass_ratio > 0.0 ? RoofKind::coupled : RoofKind::building;
+  const auto& [first, second] = scene.building.horizontal;
+  if (first.rigid()) return RoofKind::rigid;
+  if (scene.building.mass_ratio > 0.0) return RoofKind::coupled;
+  return first.is_one_mass() && second.is_one_mass() ? RoofKind::building : RoofKind::modes;
 }
 
 bool fits_lanes(const TwoAxisScene& scene, const BuildingGround& ground) {
@@ -42,7 +48,11 @@ bool fits_lanes(const TwoAxisScene& scene, const BuildingGround& ground) {
     return false;
   if (first.rigid() != second.rigid()) return false;
   const double dt_s = ground.horizontal[0]->step_s();
-  if (!first.rigid() && !(fits_lanes(first, dt_s) && fits_lanes(second, dt_s))) return false;
+  const RoofKind roof = roof_of(scene);
+  const double phase = roof == RoofKind::modes ? longest_phase_of_modes : longest_phase_in_lanes;
+  if (roof == RoofKind::coupled && !(first.is_one_mass() && second.is_one_mass())) return false;
+  if (!first.rigid() && !(fits_lanes(first, phase, dt_s) && fits_lanes(second, phase, dt_s)))
+    return false;
   for (const Yielding& spring : scene.building.yielding)
     if (spring.yields()) return false;
   return ground.vertical == nullptr || ground.vertical->rigid();

@@ -19,7 +19,13 @@ namespace two_axis_lanes_test {
 using test::OnBuilding;
 using test::uniform;
 
-enum class Kind { rigid, uncoupled, coupled };
+enum class Kind { rigid, uncoupled, modes, coupled };
+constexpr Kind all_kinds[] = {Kind::rigid, Kind::uncoupled, Kind::modes, Kind::coupled};
+
+/// Two to six modes, or one that is not one mass, of 0.05 s and longer.
+Modes cantilever(double period_s, double alpha) {
+  return Modes(governing_modes(cantilever_modes(period_s, alpha, most_modes)));
+}
 
 BuildingGround ground_of(unsigned seed, bool vertical = true) {
   OnBuilding scene(seed, 900, 6.0);
@@ -36,6 +42,10 @@ std::vector<TwoAxisScene> made_up_scenes(Kind kind, std::size_t count, unsigned 
     if (kind != Kind::rigid)
       for (Modes& o : s.building.horizontal)
         o = {0.2 + 0.3 * static_cast<double>(k / 4 % 4), 0.05};  // four on each building
+    if (kind == Kind::modes) {
+      const double period_s = s.building.horizontal[0].period_s();
+      s.building.horizontal = {cantilever(period_s, 2.0), cantilever(0.8 * period_s, 10.0)};
+    }
     if (kind == Kind::coupled) s.building.mass_ratio = 0.02 + 0.04 * static_cast<double>(k / 4 % 3);
     const double mu = uniform(random, 0.05, 0.6);
     s.block.friction = {mu, k % 3 == 0 ? mu : uniform(random, 0.6, 1.6) * mu};
@@ -97,7 +107,7 @@ std::vector<double> errors(const BuildingGround& ground, std::span<const TwoAxis
 }
 
 TEST(peak_slip_two_axes, agrees_with_the_reference) {
-  for (const Kind kind : {Kind::rigid, Kind::uncoupled, Kind::coupled}) {
+  for (const Kind kind : all_kinds) {
     SCOPED_TRACE(static_cast<int>(kind));
     const std::vector<double> found = errors(ground_of(1), made_up_scenes(kind, 60, 2), 1e-6);
     ASSERT_GT(found.size(), 30u);
@@ -107,7 +117,7 @@ TEST(peak_slip_two_axes, agrees_with_the_reference) {
 }
 
 TEST(peak_slip_two_axes, converges_with_its_tolerance) {
-  for (const Kind kind : {Kind::rigid, Kind::uncoupled, Kind::coupled}) {
+  for (const Kind kind : all_kinds) {
     SCOPED_TRACE(static_cast<int>(kind));
     for (const double tolerance : {1e-4, 1e-5, 1e-7}) {
       std::vector<TwoAxisScene> circles = made_up_scenes(kind, 30, 4), ellipses;
@@ -137,7 +147,7 @@ std::vector<TwoAxisScene> lifted_scenes(Kind kind, std::size_t count, unsigned s
 }
 
 TEST(peak_slip_two_axes, lifts_off_and_lands_as_the_reference) {
-  for (const Kind kind : {Kind::rigid, Kind::uncoupled, Kind::coupled}) {
+  for (const Kind kind : all_kinds) {
     SCOPED_TRACE(static_cast<int>(kind));
     const auto scenes = lifted_scenes(kind, 60, 26);
     const std::vector<TwoAxisPeak> peaks = solve(ground_of(27), scenes);
@@ -185,7 +195,7 @@ TEST(peak_slip_two_axes, what_does_not_fit_the_lanes_is_the_reference) {
   const BuildingGround plain = made.ground();
   made.vertical = {0.1, 0.02};
   const BuildingGround ringing = made.ground();
-  std::vector<TwoAxisScene> scenes = made_up_scenes(Kind::coupled, 7, 10);
+  std::vector<TwoAxisScene> scenes = made_up_scenes(Kind::coupled, 9, 10);
   for (TwoAxisScene& s : scenes) s.block.friction = {0.2, 0.2};
   scenes[0].block.friction.across = 0.09;
   scenes[1].block.law.static_over_sliding = 1.2;
@@ -194,6 +204,10 @@ TEST(peak_slip_two_axes, what_does_not_fit_the_lanes_is_the_reference) {
   scenes[4].building.horizontal[1][0].period_s = 0.0;
   scenes[5].building.horizontal[0][0].period_s = 0.05;
   scenes[6].block.slope_rad = 0.3;
+  scenes[7].building.horizontal[1] = cantilever(0.6, 5.0);
+  scenes[8].building.mass_ratio = 0.0;
+  const Mode too_short[] = {{0.5, 1.3, 0.9, 0.05}, {0.02, -0.3, 0.1, 0.05}};
+  scenes[8].building.horizontal[0] = Modes(too_short);
   const auto expect_reference = [](const BuildingGround& ground,
                                    std::span<const TwoAxisScene> all) {
     const std::vector<TwoAxisPeak> peaks = solve(ground, all);
@@ -218,6 +232,7 @@ TEST(peak_slip_two_axes, follows_the_building_after_the_record) {
     for (auto* component : {&made.first, &made.second, &made.up}) component->resize(samples);
     const BuildingGround ground = made.ground();
     auto scenes = made_up_scenes(Kind::uncoupled, 16, 23);
+    for (const TwoAxisScene& s : made_up_scenes(Kind::modes, 16, 23)) scenes.push_back(s);
     for (TwoAxisScene& s : scenes) {
       s.factors = {{2.0, 2.0}, 2.0};
       s.block.friction = {0.12, 0.12};
@@ -229,10 +244,34 @@ TEST(peak_slip_two_axes, follows_the_building_after_the_record) {
   }
 }
 
+TEST(peak_slip_two_axes, one_mass_among_modes_without_participation_is_one_mass_to_the_bit) {
+  const auto scenes = made_up_scenes(Kind::uncoupled, 20, 31);
+  auto among = scenes;
+  for (TwoAxisScene& s : among)
+    for (Modes& axis : s.building.horizontal) {
+      const Mode modes[] = {axis[0], {0.3 * axis.period_s(), 0.0, 0.1, 0.05}};
+      axis = Modes(modes);
+    }
+  EXPECT_EQ(numbers(solve(ground_of(30), among)), numbers(solve(ground_of(30), scenes)));
+}
+
+// 2.5 radians of the shortest mode between samples.
+TEST(peak_slip_two_axes, a_roof_of_short_modes_is_a_polynomial_between_samples) {
+  OnBuilding made(32, 700, 6.0);
+  made.dt_s = 0.02;
+  auto scenes = made_up_scenes(Kind::modes, 40, 33);
+  for (TwoAxisScene& s : scenes) s.building.horizontal[1] = cantilever(0.7, 20.0);
+  ASSERT_LT(scenes[0].building.horizontal[1][5].period_s, 0.053);
+  const std::vector<double> found = errors(made.ground(), scenes, 1e-8);
+  ASSERT_GT(found.size(), 20u);
+  EXPECT_LT(found[found.size() / 2], 1e-8);
+  EXPECT_LT(found.back(), 3e-7);
+}
+
 // Ten thresholds up to the peak: the same ones are reached, at the same time and speed.
 TEST(peak_slip_two_axes, crossings_are_those_of_the_reference) {
   const BuildingGround ground = ground_of(24);
-  for (const Kind kind : {Kind::rigid, Kind::uncoupled, Kind::coupled}) {
+  for (const Kind kind : all_kinds) {
     auto scenes = made_up_scenes(kind, 40, 25);
     for (const TwoAxisScene& lifted : lifted_scenes(kind, 20, 25)) scenes.push_back(lifted);
     const auto plain = solve(ground, scenes);
@@ -261,7 +300,7 @@ TEST(peak_slip_two_axes, crossings_are_those_of_the_reference) {
 
 TEST(peak_slip_two_axes, zero_motion_moves_nothing) {
   const auto rest = std::make_shared<GroundTable>(0.01, std::vector<double>(100, 0.0));
-  for (const Kind kind : {Kind::rigid, Kind::uncoupled, Kind::coupled})
+  for (const Kind kind : all_kinds)
     for (const double number :
          numbers(solve({{rest, rest}, nullptr}, made_up_scenes(kind, 40, 12))))
       EXPECT_EQ(number, 0.0);
@@ -273,14 +312,14 @@ TEST(peak_slip_two_axes, zeros_after_the_record_change_not_a_bit) {
   OnBuilding padded = made;
   for (auto* samples : {&padded.first, &padded.second, &padded.up})
     samples->insert(samples->end(), 300, 0.0);
-  for (const Kind kind : {Kind::rigid, Kind::uncoupled, Kind::coupled}) {
+  for (const Kind kind : all_kinds) {
     const auto scenes = made_up_scenes(kind, 40, 14);
     EXPECT_EQ(numbers(solve(padded.ground(), scenes)), numbers(solve(made.ground(), scenes)));
   }
 }
 
 TEST(peak_slip_two_axes, the_mirror_image_across_the_slope_is_the_same_to_the_bit) {
-  for (const Kind kind : {Kind::rigid, Kind::uncoupled, Kind::coupled}) {
+  for (const Kind kind : all_kinds) {
     const auto scenes = made_up_scenes(kind, 40, 15);
     auto mirrored = scenes;
     for (TwoAxisScene& s : mirrored) {
@@ -295,7 +334,7 @@ TEST(peak_slip_two_axes, the_mirror_image_across_the_slope_is_the_same_to_the_bi
 }
 
 TEST(peak_slip_two_axes, slip_scales_with_the_whole_acceleration_field_to_the_bit) {
-  for (const Kind kind : {Kind::rigid, Kind::uncoupled, Kind::coupled}) {
+  for (const Kind kind : all_kinds) {
     const auto scenes = made_up_scenes(kind, 40, 17);
     auto stronger = scenes;
     for (TwoAxisScene& s : stronger) {
@@ -315,7 +354,7 @@ TEST(peak_slip_two_axes, slip_scales_with_the_whole_acceleration_field_to_the_bi
 
 TEST(peak_slip_two_axes, a_history_has_the_same_bits_in_any_company) {
   const BuildingGround ground = ground_of(19);
-  for (const Kind kind : {Kind::rigid, Kind::uncoupled, Kind::coupled}) {
+  for (const Kind kind : all_kinds) {
     auto scenes = made_up_scenes(kind, 60, 20);
     for (const TwoAxisScene& s : lifted_scenes(kind, 10, 20)) scenes.push_back(s);
     const auto together = solve(ground, scenes);
@@ -335,7 +374,7 @@ void use_targets(std::int64_t targets) {
 
 TEST(peak_slip_two_axes, all_simd_targets_give_the_same_bits) {
   const BuildingGround ground = ground_of(21);
-  for (const Kind kind : {Kind::rigid, Kind::uncoupled, Kind::coupled}) {
+  for (const Kind kind : all_kinds) {
     auto scenes = made_up_scenes(kind, 60, 22);
     for (const TwoAxisScene& s : lifted_scenes(kind, 10, 22)) scenes.push_back(s);
     const auto best = numbers(solve(ground, scenes));

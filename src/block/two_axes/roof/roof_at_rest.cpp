@@ -17,9 +17,10 @@ RoofAtRest::RoofAtRest(const Constants<double>& constants, RoofKind roof, const 
       roof_(roof),
       ground_(ground),
       table_(table),
-      after_record_(static_cast<std::size_t>(state.node) >= ground.quiet),
+      after_record_(roof != RoofKind::modes &&
+                    static_cast<std::size_t>(state.node) >= ground.quiet),
       base_(static_cast<std::size_t>(state.node)) {
-  if (rigid()) return;
+  if (!vibrates()) return;
   const LaneMotion<double>& m = state.motion;
   std::array<AxisState, 2> beside{{{m.x_1, m.y_1}, {m.x_2, m.y_2}}};
   for (std::size_t n = 0; n < 2 && !after_record_; ++n) {
@@ -39,7 +40,7 @@ void RoofAtRest::set_free(std::size_t node, const std::array<AxisState, 2>& stat
 
 std::array<AxisState, 2> RoofAtRest::state(std::size_t node) const {
   std::array<AxisState, 2> state{};
-  for (std::size_t n = 0; n < 2 && !rigid(); ++n) {
+  for (std::size_t n = 0; n < 2 && vibrates(); ++n) {
     state[n] = table_.free[n].after(node - base_, free_[n]);
     if (after_record_) continue;
     const AxisState own = table_.state(n, node);
@@ -52,11 +53,11 @@ std::array<AxisState, 2> RoofAtRest::state(std::size_t node) const {
 void RoofAtRest::end_record() {
   const std::array<AxisState, 2> all = state(ground_.quiet);
   after_record_ = true;
-  if (!rigid()) set_free(ground_.quiet, all);
+  if (vibrates()) set_free(ground_.quiet, all);
 }
 
 void RoofAtRest::renew(std::size_t node) {
-  if (rigid()) return;
+  if (!vibrates()) return;
   if (after_record_) return set_free(node, state(node));
   for (std::size_t n = 0; n < 2; ++n)
     free_bound_[n] = table_.free[n].bound(table_.free[n].after(node - base_, free_[n]));
@@ -75,14 +76,13 @@ bool RoofAtRest::sticks_from(std::size_t node) const {
   if (after_record_) return sticks(a, 0.0);
   for (std::size_t n = 0; n < 2; ++n) {
     a[n] += std::abs(factor(n)) * table_.coming[n][k];
-    if (!rigid()) a[n] *= between_nodes;
+    if (vibrates()) a[n] *= between_nodes;
   }
-  return sticks(a, std::abs(constants_.factor_w) * ground_.coming_w[k]);
+  return sticks(a, std::abs(constants_.factor_w) * ground_.w_to_come(k));
 }
 
 double RoofAtRest::deviation(std::size_t axis, std::size_t tile) const {
-  if (rigid()) return 0.0;
-  const double free = free_bound_[axis] * table_.free[axis].deviation();
+  const double free = vibrates() ? free_bound_[axis] * table_.free[axis].deviation() : 0.0;
   return after_record_ ? free : free + std::abs(factor(axis)) * table_.deviation[axis][tile];
 }
 
@@ -92,12 +92,12 @@ bool RoofAtRest::sticks_in_tile(std::size_t node) const {
   std::array<double, 2> a;
   for (std::size_t n = 0; n < 2; ++n)
     a[n] = free_bound_[n] + std::abs(factor(n)) * table_.tile[n][k] + deviation(n, k);
-  return sticks(a, std::abs(constants_.factor_w) * ground_.tile_w[k]);
+  return sticks(a, std::abs(constants_.factor_w) * ground_.largest_w(k));
 }
 
 std::size_t RoofAtRest::tile_end(std::size_t node) const {
   return after_record_ ? std::min(node + tile_nodes - 1, ground_.end)
-                       : std::min((node / tile_nodes + 1) * tile_nodes, ground_.quiet);
+                       : std::min((node / tile_nodes + 1) * tile_nodes, table_.end);
 }
 
 std::size_t RoofAtRest::first_release(std::size_t from, std::size_t end) const {
@@ -110,15 +110,15 @@ std::size_t RoofAtRest::first_release(std::size_t from, std::size_t end) const {
   for (std::size_t i = from; i <= end; i += 8) {
     RestMotion motion;
     for (std::size_t n = 0; n < 2; ++n) {
-      const AxisState now = rigid() ? AxisState{} : table_.free[n].after(i - base_, free_[n]);
+      const AxisState now = vibrates() ? table_.free[n].after(i - base_, free_[n]) : AxisState{};
       motion.axis[n] = {after_record_ ? zeros : table_.a[n] + i,
                         factor(n),
-                        rigid() ? zeros : table_.free[n].x_part().data(),
-                        rigid() ? zeros : table_.free[n].y_part().data(),
+                        vibrates() ? table_.free[n].x_part().data() : zeros,
+                        vibrates() ? table_.free[n].y_part().data() : zeros,
                         now.x,
                         now.y};
     }
-    motion.w = after_record_ ? zeros : ground_.w.data() + i;
+    motion.w = i > ground_.quiet ? zeros : ground_.w.data() + i;
     const std::size_t released = two_axes::first_release(motion, c, needed);
     if (released < 8) return std::min(i + released, end + 1);
   }

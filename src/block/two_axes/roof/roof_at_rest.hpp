@@ -10,8 +10,8 @@
 namespace glissade::block_detail::two_axes {
 
 /// The roof under a block at rest, from a node on: what the building's table
-/// gives, and a free vibration beside it. After the last sample that is not
-/// zero, the free vibration alone.
+/// gives, and beside it a free vibration of a building that has a state. After the last sample that
+/// is not zero, the free vibration alone. The table of modes goes on and ends with a bound.
 class RoofAtRest {
  public:
   RoofAtRest(const Constants<double>& constants, RoofKind roof, const GroundNodes& ground,
@@ -36,7 +36,7 @@ class RoofAtRest {
   std::size_t first_release(std::size_t from, std::size_t end) const;
 
  private:
-  bool rigid() const { return roof_ == RoofKind::rigid; }
+  bool vibrates() const { return has_state(roof_); }
   /// The block sticks whatever the roof does within these bounds.
   bool sticks(const std::array<double, 2>& a, double w) const;
   double factor(std::size_t axis) const {

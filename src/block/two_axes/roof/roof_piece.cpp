@@ -18,7 +18,7 @@ int terms_for(double phase, int most) {
 
 }  // namespace
 
-RoofPiece::RoofPiece(const HistoryState& state, const GroundNodes& ground,
+RoofPiece::RoofPiece(const HistoryState& state, const GroundNodes& ground, const RestTable& table,
                      const Constants<double>& c, RoofKind roof, const BlockVelocity& block_velocity)
     : constants_(&c), roof_(roof), length_s_(ground.dt_s * state.motion.left) {
   const LaneMotion<double>& m = state.motion;
@@ -32,6 +32,13 @@ RoofPiece::RoofPiece(const HistoryState& state, const GroundNodes& ground,
       a_[n][0] = ground_[n];
       a_[n][1] = ground_end_[n] - ground_[n];
     }
+    return;
+  }
+  if (roof == RoofKind::modes) {
+    terms_ = row_terms;
+    const auto node = static_cast<std::size_t>(state.node);
+    read(table.row(0, node), c.factor_1, m.left, a_[0]);
+    read(table.row(1, node), c.factor_2, m.left, a_[1]);
     return;
   }
   terms_ = terms_for(std::max(c.omega_1, c.omega_2) * length_s_, most_terms);
@@ -53,6 +60,16 @@ RoofPiece::RoofPiece(const HistoryState& state, const GroundNodes& ground,
       y[k + 1] = factor * (k < 2 ? a[k] - forcing[k] : a[k]);
     }
   }
+}
+
+/// The series of a sample interval over what is left of it: Horner's shift, then a change of scale.
+void RoofPiece::read(std::span<const double, row_terms> row, double factor, double left,
+                     Terms& a) const {
+  std::ranges::copy(row, a.begin());
+  const double passed = 1.0 - left;
+  for (std::size_t i = 0; i + 1 < row_terms; ++i)
+    for (std::size_t k = row_terms - 1; k-- > i;) a[k] += passed * a[k + 1];
+  for (std::size_t k = 0; k < row_terms; ++k, factor *= left) a[k] *= factor;
 }
 
 Load RoofPiece::load(double tau) const {
@@ -83,7 +100,7 @@ void RoofPiece::move(HistoryState& state, double tau) const {
   m.ground_1 = whole ? ground_end_[0] : ground_[0] + tau * (ground_end_[0] - ground_[0]);
   m.ground_2 = whole ? ground_end_[1] : ground_[1] + tau * (ground_end_[1] - ground_[1]);
   m.w = whole ? w_end_ : w_ + tau * (w_end_ - w_);
-  if (roof_ != RoofKind::rigid) {
+  if (has_state(roof_)) {
     m.x_1 = sum(x_[0], terms_, tau);
     m.y_1 = sum(y_[0], terms_, tau);
     m.x_2 = sum(x_[1], terms_, tau);

@@ -24,7 +24,7 @@ class RoofPiece {
  public:
   /// The block's velocity in plan by the building's axes, as if it stayed.
   using BlockVelocity = std::array<double, 2>;
-  RoofPiece(const HistoryState& state, const GroundNodes& ground,
+  RoofPiece(const HistoryState& state, const GroundNodes& ground, const RestTable& table,
             const Constants<double>& constants, RoofKind roof, const BlockVelocity& block_velocity);
 
   double length_s() const { return length_s_; }
@@ -45,6 +45,7 @@ class RoofPiece {
     return total;
   }
 
+  void read(std::span<const double, row_terms> row, double factor, double left, Terms& a) const;
   double reserve_per_acceleration() const {
     const Constants<double>& c = *constants_;
     return std::max(1.0, c.per_aspect) / c.cosine + c.mu * c.tangent;

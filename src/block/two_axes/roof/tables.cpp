@@ -9,16 +9,8 @@
 #include "glissade/core/oscillator.hpp"
 
 namespace glissade::block_detail::two_axes {
-namespace {
-
-/// Nodes after the last, of zeros, that a search may read.
-constexpr std::size_t padding = 2 * tile_nodes;
-
-std::size_t tiles_of(std::size_t quiet) { return quiet / tile_nodes + 1; }
-
-/// Largest |value| by tile; the node at a tile's end counts for it too.
-std::vector<double> tile_maxima(const double* values, std::size_t quiet) {
-  std::vector<double> largest(tiles_of(quiet), 0.0);
+std::vector<double> tile_maxima(const double* values, std::size_t last_node) {
+  std::vector<double> largest(tiles_of(last_node), 0.0);
   for (std::size_t k = 0; k < largest.size(); ++k) {
     double most = 0.0;
     for (std::size_t i = k * tile_nodes; i <= (k + 1) * tile_nodes; ++i)
@@ -33,7 +25,9 @@ std::vector<double> suffix_maxima(std::vector<double> values, double after) {
   return values;
 }
 
-}  // namespace
+void add_interval_before(std::vector<double>& by_tile) {
+  for (std::size_t k = by_tile.size(); k-- > 1;) by_tile[k] = std::max(by_tile[k], by_tile[k - 1]);
+}
 
 GroundNodes::GroundNodes(const BuildingGround& ground) : dt_s(ground.horizontal[0]->step_s()) {
   const GroundTable* up = ground.vertical != nullptr ? ground.vertical->ground.get() : nullptr;
@@ -42,7 +36,7 @@ GroundNodes::GroundNodes(const BuildingGround& ground) : dt_s(ground.horizontal[
     if (table != nullptr) quiet = std::max(quiet, table->quiet_from());
   end = quiet + static_cast<std::size_t>(
                     std::min(RoofMotionOptions{}.longest_ring_down_s / dt_s, most_ring_down_steps));
-  nodes.assign(4 * (quiet + 1), 0.0);
+  nodes.assign(std::max(4 * (quiet + 1), 2 * row_terms), 0.0);  // at least a row for any lane
   std::vector<double>* rows[] = {&a[0], &a[1], &w};
   for (std::size_t n = 0; n < 3; ++n) {
     rows[n]->assign(quiet + 1 + padding, 0.0);
@@ -93,6 +87,7 @@ double FreeVibration::bound(const AxisState& s) const {
 
 void RestTable::tabulate(const GroundNodes& ground, const Constants<double>& c, RoofKind roof) {
   free.clear();
+  end = ground.quiet;
   for (std::size_t n = 0; n < 2; ++n) {
     a[n] = ground.a[n].data();
     deviation[n].assign(tiles_of(ground.quiet), 0.0);
@@ -135,9 +130,7 @@ double RestTable::tabulate_axis(std::size_t n, const GroundNodes& ground,
     y[n][i + 1] = now.y;
     own_a[n][i + 1] = free[n].acceleration(now);
   }
-  // A tile's first node ends the interval before.
-  for (std::size_t k = deviation[n].size(); k-- > 1;)
-    deviation[n][k] = std::max(deviation[n][k], deviation[n][k - 1]);
+  add_interval_before(deviation[n]);
   a[n] = own_a[n].data();
   return free[n].bound(now);
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <span>
 #include <vector>
 
 #include "block/two_axes/lane_states.hpp"
@@ -32,6 +33,9 @@ struct GroundNodes {
 
   explicit GroundNodes(const BuildingGround& ground);
   bool ends_early() const { return static_cast<double>(end - quiet) == most_ring_down_steps; }
+  /// Largest |w| of a tile, and of it and all after it.
+  double largest_w(std::size_t k) const { return k < tile_w.size() ? tile_w[k] : 0.0; }
+  double w_to_come(std::size_t k) const { return k < coming_w.size() ? coming_w[k] : 0.0; }
   double ground(std::size_t axis, std::size_t node) const {
     return node < quiet ? nodes[4 * node + axis] : 0.0;
   }
@@ -80,10 +84,19 @@ struct RestTable {
   std::array<std::vector<double>, 2> tile,
       coming;                                    ///< largest |a|: of a tile, of all to come
   std::array<std::vector<double>, 2> deviation;  ///< how far it leaves its chord, by tile
-  std::vector<FreeVibration> free;               ///< by axis; empty: rigid
+  std::vector<FreeVibration> free;               ///< by axis; empty: the roof is known beforehand
+  std::size_t end = 0;  ///< the last node; of modes some time after the record
+  /// Of a roof of modes: by node and axis its acceleration over the sample interval after it, as a
+  /// power series of row_terms terms in the elapsed fraction. Empty: another roof.
+  std::vector<double> rows;
+  std::span<const double, row_terms> row(std::size_t axis, std::size_t node) const {
+    return std::span<const double, row_terms>(rows.data() + (2 * node + axis) * row_terms,
+                                              row_terms);
+  }
 
-  /// @param ground the same each time that a table is made again
+  /// @param ground, roof the same each time that a table is made again
   void tabulate(const GroundNodes& ground, const Constants<double>& constants, RoofKind roof);
+  void tabulate(const GroundNodes& ground, const std::array<Modes, 2>& modes);
   AxisState state(std::size_t axis, std::size_t node) const {
     return {x[axis][node], y[axis][node]};
   }
@@ -93,6 +106,18 @@ struct RestTable {
   /// @return bound of its |acceleration| after the ground has come to rest
   double tabulate_axis(std::size_t axis, const GroundNodes& ground,
                        const Constants<double>& constants);
+  double tabulate_axis(std::size_t axis, const GroundNodes& ground, const Modes& modes);
 };
+
+/// Nodes after the last, of zeros, that a search may read.
+constexpr std::size_t padding = 2 * tile_nodes;
+
+inline std::size_t tiles_of(std::size_t last_node) { return last_node / tile_nodes + 1; }
+/// Largest |value| by tile; the node at a tile's end counts for it too.
+std::vector<double> tile_maxima(const double* values, std::size_t last_node);
+/// Of each and all after it, the last followed by `after`.
+std::vector<double> suffix_maxima(std::vector<double> values, double after);
+/// An interval that ends at a tile's first node counts for it too.
+void add_interval_before(std::vector<double>& by_tile);
 
 }  // namespace glissade::block_detail::two_axes
