@@ -17,12 +17,28 @@ using test::Component;
 constexpr std::size_t batch_size = 64;
 constexpr double truth_tolerance = 1e-9;
 
+Modes one_mass(double period_s) { return {period_s, 0.05}; }
+
+/// Walls and frames, up to so many modes.
+template <std::size_t count>
+Modes cantilever(double period_s) {
+  return Modes(governing_modes(cantilever_modes(period_s, 10.0, count)));
+}
+
+/// The roof of one mass as a sum of five modes, four of which do not move the array.
+Modes one_mass_of_five(double period_s) {
+  std::vector<Mode> modes{{period_s, 1.0, 0.8}};
+  for (const double slower : {2.0, 2.5, 3.0, 3.5}) modes.push_back({period_s / slower, 0.0, 0.05});
+  return Modes(modes);
+}
+
 /// What the array lies on.
 struct Kind {
   const char* name;
   std::vector<double> periods_s;  ///< of the first axis
   double mass_ratio = 0.0;
   double across = 1.0;  ///< of the friction along the slope
+  Modes (*building)(double period_s) = one_mass;
 };
 
 using Scene = TwoAxisScene;
@@ -50,7 +66,7 @@ std::vector<Scene> scenes_of(double pga_mps2, bool vertical, const Kind& kind) {
                                      .azimuth_rad = azimuth_deg * rad_per_deg};
             if (friction > std::tan(block.slope_rad))
               scenes.push_back(
-                  {{.horizontal = {Oscillator{period_s, 0.05}, Oscillator{0.8 * period_s, 0.05}},
+                  {{.horizontal = {kind.building(period_s), kind.building(0.8 * period_s)},
                     .yielding = {},
                     .mass_ratio = kind.mass_ratio},
                    block,
@@ -184,11 +200,16 @@ Trial trial_of(const test::StandardScenes& all, std::size_t histories, const Kin
 
 std::vector<SchemeResult> two_axes_precision(const test::StandardScenes& all, std::size_t histories,
                                              bool quick) {
-  const std::vector<double> periods_s{0.2, 0.5, 1.0};
-  const std::vector<Kind> kinds{{"rigid", {0.0}},
-                                {"m/M 0", periods_s},
-                                {"m/M 0.05", periods_s, 0.05},
-                                {"m/M 0.05, ellipse", periods_s, 0.05, 0.8}};
+  const std::vector<double> periods_s{0.2, 0.5, 1.0}, tall_s{0.5, 1.0};
+  const std::vector<Kind> kinds{
+      {"rigid", {0.0}},
+      {"m/M 0", periods_s},
+      {"m/M 0, one mass of 5 modes", periods_s, 0.0, 1.0, one_mass_of_five},
+      {"m/M 0, 1 mode", tall_s, 0.0, 1.0, cantilever<1>},
+      {"m/M 0, 3 modes", tall_s, 0.0, 1.0, cantilever<3>},
+      {"m/M 0, 5 modes", tall_s, 0.0, 1.0, cantilever<5>},
+      {"m/M 0.05", periods_s, 0.05},
+      {"m/M 0.05, ellipse", periods_s, 0.05, 0.8}};
   const std::vector<int> tolerances = quick ? std::vector{3, 6} : std::vector{3, 4, 5, 6, 7, 8};
   std::vector<SchemeResult> results;
   for (const Kind& kind : kinds) {
