@@ -7,7 +7,7 @@
 namespace glissade::block_detail {
 FullModelBody::FullModelBody(const BuildingContact& contact,
                              const std::array<BuildingAxis, 2>& axes, double mass_ratio, int pieces,
-                             double tolerance, TwoAxisTrack track)
+                             double piece_s, double tolerance, TwoAxisTrack track)
     : contact_(contact),
       axes_(axes),
       mass_ratio_(mass_ratio),
@@ -18,9 +18,12 @@ FullModelBody::FullModelBody(const BuildingContact& contact,
       track_(track) {
   const FrictionEllipse& friction = contact_.friction_at_rest();
   const TwoAxisLoading& loading = contact_.loading();
+  per_friction_ = {1.0 / friction.along(), 1.0 / friction.across()};
   margin_per_a_ = loading.tan_slope() +
                   std::max(1.0 / friction.along(), 1.0 / (friction.across() * loading.cos_slope()));
   margin_per_w_ = 1.0 + loading.tan_slope() / friction.along();
+  if (!axes[0].one_mass() || !axes[1].one_mass())
+    rest_maps_ = {axes[0].rest_map(piece_s), axes[1].rest_map(piece_s)};
   slides_at_rest_ = beyond_friction(loading.tan_slope(), friction.along()) > 0.0;
 }
 
@@ -109,6 +112,7 @@ void FullModelBody::start(Vector acceleration, const ExcitationPiece& piece) {
 
 void FullModelBody::coast(double step_s) {
   axes_ = {BuildingAxis({}, {}, 0.0, step_s), BuildingAxis({}, {}, 0.0, step_s)};
+  rest_maps_.clear();
   mass_ratio_ = 0.0;
   accelerance_ = {};
   friction_bound_ = contact_.friction_bound(accelerance_);

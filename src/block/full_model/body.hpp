@@ -13,9 +13,10 @@ namespace glissade::block_detail {
 /// the vertical a quartic.
 class FullModelBody {
  public:
-  /// @param pieces number of pieces of a sample interval, for the building
+  /// @param pieces number of pieces of a sample interval, for the building; each of piece_s
   FullModelBody(const BuildingContact& contact, const std::array<BuildingAxis, 2>& axes,
-                double mass_ratio, int pieces, double tolerance, TwoAxisTrack track);
+                double mass_ratio, int pieces, double piece_s, double tolerance,
+                TwoAxisTrack track);
 
   /// The whole history, from rest: the record, and the ring-down of the building.
   void follow(const Excitation& excitation, double longest_period_s);
@@ -56,6 +57,10 @@ class FullModelBody {
   void interval(const ExcitationPiece& excitation, double end_s);
   template <class Nodes>
   std::size_t rest_over(const Nodes& nodes, std::size_t from, std::size_t to);
+  template <class Nodes>
+  std::size_t rest_over_on_modes(const Nodes& nodes, std::size_t from, std::size_t to);
+  /// N - |M^-1 F| of a block at rest: negative where it slides.
+  double friction_margin(double a1, double a2, double w) const;
   bool rest_quickly(const ExcitationPiece& piece);
   void advance(ExcitationPiece piece, double end_s);
   // Each returns the elapsed fraction of the piece.
@@ -95,10 +100,12 @@ class FullModelBody {
 
   BuildingContact contact_;
   std::array<BuildingAxis, 2> axes_;
+  std::vector<RestMap> rest_maps_;  // by axis, where one is of several modes
   double mass_ratio_;
   Accelerance accelerance_;  // at an instant
   int pieces_;
   double tolerance_, friction_bound_;
+  Vector per_friction_;                 // inverse of the coefficients at rest
   double margin_per_a_, margin_per_w_;  // largest decrease of N - |M^-1 F| per acceleration
 
   bool sliding_ = false;

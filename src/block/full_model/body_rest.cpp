@@ -152,6 +152,46 @@ std::array<ChordDeviation, 2> chord_deviations(const RestSteps& c, const RestNod
 
 }  // namespace
 
+double FullModelBody::friction_margin(double a1, double a2, double w) const {
+  const Load load = contact_.loading().at(a1, a2, w);
+  return load.normal - length(scaled(load.drive, per_friction_));
+}
+
+/// The same as rest_over(), by maps of whole pieces.
+template <class Nodes>
+std::size_t FullModelBody::rest_over_on_modes(const Nodes& nodes, std::size_t from,
+                                              std::size_t to) {
+  if (axes_[0].yields() || axes_[1].yields()) return from;
+  std::size_t i = from;
+  for (; i < to; ++i) {
+    RestMap::Row row[2];
+    double begin[2], end[2], deviation = 0.0;
+    for (std::size_t n = 0; n < 2; ++n) {
+      const RestMap& map = rest_maps_[n];
+      const double per_mass = 1.0 / axes_[n].stuck_mass();
+      row[n] = axes_[n].rest_row({nodes.ground(n, i), nodes.ground(n, i + 1)});
+      begin[n] = per_mass * map.value(map.e_begin, row[n]);
+      end[n] = per_mass * map.value(map.e_end, row[n]);
+      deviation += per_mass * map.bound(map.e_deviation, row[n]);
+    }
+    const double needed = deviation * margin_per_a_ + nodes.w_deviation(i) * margin_per_w_;
+    const double margin = std::min(friction_margin(begin[0], begin[1], nodes.w(i)),
+                                   friction_margin(end[0], end[1], nodes.w(i + 1)));
+    if (!(margin > needed * (1.0 + 1e-9))) break;
+    for (std::size_t n = 0; n < 2; ++n) {
+      const RestMap& map = rest_maps_[n];
+      if (map.bound(map.shear, row[n]) > peaks_.shear[n] ||
+          map.bound(map.roof_x, row[n]) > peaks_.x[n])
+        raise_peaks(n,
+                    axes_[n].motion(nodes.dt_s(), {nodes.ground(n, i), nodes.ground(n, i + 1)},
+                                    axes_[n].stuck_mass()),
+                    1.0);
+      axes_[n].rest_on(map, row[n]);
+    }
+  }
+  return i;
+}
+
 /// Whole pieces without events, by bounds on the departure of the motion from its chord: while
 /// m = N - |M^-1 F| > 0 the block sticks, and m is concave, so that on the chord it is not less
 /// than at the ends.
@@ -159,14 +199,11 @@ template <class Nodes>
 std::size_t FullModelBody::rest_over(const Nodes& nodes, std::size_t from, std::size_t to) {
   const FrictionEllipse& friction = contact_.friction_at_rest();
   if (axes_[0].yielding() || axes_[1].yielding() || friction.smallest() == 0.0) return from;
-  if (!axes_[0].one_mass() || !axes_[1].one_mass()) return from;
-  const TwoAxisLoading loading = contact_.loading();
+  if (!rest_maps_.empty()) return rest_over_on_modes(nodes, from, to);
   const double mass = 1.0 + mass_ratio_, per_mass = 1.0 / mass;
-  const double per_along = 1.0 / friction.along(), per_across = 1.0 / friction.across();
   const RestSteps steps(axes_, mass);
   const auto margin = [&](const RestNode& node, double w) {
-    const Load load = loading.at(node.e[0] * per_mass, node.e[1] * per_mass, w);
-    return load.normal - length({per_along * load.drive.s, per_across * load.drive.y});
+    return friction_margin(node.e[0] * per_mass, node.e[1] * per_mass, w);
   };
   RestNode now;
   double yield_from[2], yield_left[2];

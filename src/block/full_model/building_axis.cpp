@@ -4,6 +4,7 @@
 #include <numbers>
 #include <vector>
 
+#include "block/full_model/chord_deviation.hpp"
 #include "glissade/building/rigid.hpp"
 
 namespace glissade::block_detail {
@@ -161,6 +162,49 @@ AxisSeries BuildingAxis::motion(double length_s, const Ramp& ground, double mass
   m.resisting_bound = size(m.resisting, 0) + size(m.resisting, 1) + e2 + e3;
   m.x_bound = size(x, 0) + size(x, 1) + size(x, 2) + size(x, 3) + x_per_e * (e2 + e3);
   return m;
+}
+
+RestMap BuildingAxis::rest_map(double piece_s) const {
+  RestMap map;
+  map.states = 2 * size_;
+  for (std::size_t j = 0; j < map.states + 2; ++j) {
+    BuildingAxis unit = *this;
+    for (std::size_t n = 0; n < size_; ++n) {
+      unit.modes_[n].x = 2 * n == j ? 1.0 : 0.0;
+      unit.modes_[n].y = 2 * n + 1 == j ? 1.0 : 0.0;
+    }
+    const AxisSeries m = unit.motion(
+        piece_s, {j == map.states ? 1.0 : 0.0, j == map.states + 1 ? 1.0 : 0.0}, stuck_mass_);
+    for (std::size_t n = 0; n < size_; ++n) {
+      map.next[2 * n][j] = m.x[n].at(1.0);
+      map.next[2 * n + 1][j] = m.y[n].at(1.0);
+    }
+    const Series& e = m.resisting;
+    map.e_begin[j] = e.c[0];
+    map.e_end[j] = e.at(1.0);
+    map.e_deviation[j] = chord_deviation({e.c.data(), static_cast<std::size_t>(e.terms)});
+    map.shear[j] = (one_mass_ ? e : m.shear).bound();
+    map.roof_x[j] = (one_mass_ ? m.x[0] : m.roof_x).bound();
+  }
+  return map;
+}
+
+RestMap::Row BuildingAxis::rest_row(const Ramp& ground) const {
+  RestMap::Row row;
+  for (std::size_t n = 0; n < size_; ++n) {
+    row[2 * n] = modes_[n].x;
+    row[2 * n + 1] = modes_[n].y;
+  }
+  row[2 * size_] = ground.begin;
+  row[2 * size_ + 1] = ground.end;
+  return row;
+}
+
+void BuildingAxis::rest_on(const RestMap& map, const RestMap::Row& row) {
+  for (std::size_t n = 0; n < size_; ++n) {
+    modes_[n].x = map.value(map.next[2 * n], row);
+    modes_[n].y = map.value(map.next[2 * n + 1], row);
+  }
 }
 
 double BuildingAxis::next_yield(const AxisSeries& motion) const {

@@ -41,6 +41,28 @@ struct AxisSeries {
   double shear_bound = 0.0, x_bound = 0.0;
 };
 
+/// An axis over a whole piece with the block at rest on it: what it has at the end, linear in the
+/// states (x, y) of its modes and in the ground at both ends, in this order.
+struct RestMap {
+  static constexpr std::size_t most = 2 * most_modes + 2;
+  using Row = std::array<double, most>;
+  std::size_t states = 0;                  ///< 2 of each mode; then the ground
+  std::array<Row, 2 * most_modes> next{};  ///< states
+  Row e_begin{}, e_end{};                  ///< E
+  Row e_deviation{}, shear{}, roof_x{};    ///< bounds: of E from its chord; of |AxisSeries|
+
+  double value(const Row& row, const Row& of) const {
+    double sum = 0.0;
+    for (std::size_t j = 0; j < states + 2; ++j) sum += row[j] * of[j];
+    return sum;
+  }
+  double bound(const Row& row, const Row& of) const {
+    double sum = 0.0;
+    for (std::size_t j = 0; j < states + 2; ++j) sum += row[j] * std::abs(of[j]);
+    return sum;
+  }
+};
+
 /// A mode of an axis (building/modes.hpp), with its scaled state.
 struct AxisMode {
   double omega_radps = 0.0, twice_zeta = 0.0;
@@ -109,6 +131,12 @@ class BuildingAxis {
     modes_[0].y = y;
   }
   bool yielding() const { return yield_direction_ != 0; }
+
+  RestMap rest_map(double piece_s) const;
+  /// What a RestMap is linear in.
+  RestMap::Row rest_row(const Ramp& ground) const;
+  /// To the end of a whole piece at rest.
+  void rest_on(const RestMap& map, const RestMap::Row& row);
 
   /// |a| never exceeds this again while the block rests and the ground is at rest.
   double largest_to_come_mps2() const;

@@ -1,7 +1,29 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <span>
+
+#include "block/polynomial/power_series.hpp"
+
 namespace glissade::block_detail {
+
+/// How far a power series on [0, 1] leaves its chord, at most.
+inline double chord_deviation(std::span<const double> c) {
+  static const auto most = [] {
+    std::array<double, Series::most_terms> of{};  // of tau - tau^k
+    for (std::size_t k = 2; k < of.size(); ++k) {
+      const auto order = static_cast<double>(k);
+      of[k] = (order - 1.0) / std::pow(order, order / (order - 1.0));
+    }
+    return of;
+  }();
+  double sum = 0.0;
+  for (std::size_t k = 2; k < c.size(); ++k) sum += most[k] * std::abs(c[k]);
+  return sum;
+}
 
 /// Largest departure of the resisting acceleration E and of the spring force s from their chords
 /// over a piece at rest: 1/8 of the largest second derivative. With z = a - a_ground, mass m, '

@@ -94,7 +94,7 @@ BuildingSlip slide_along(const TwoAxisTrack& track, const BuildingGround& ground
   FullModelBody body(contact,
                      {BuildingAxis(axes[0], building.yielding[0], r, piece_s),
                       BuildingAxis(axes[1], building.yielding[1], r, piece_s)},
-                     r, pieces_per_interval, tolerance, track);
+                     r, pieces_per_interval, piece_s, tolerance, track);
 
   body.follow(excitation, longest_period_s);
 

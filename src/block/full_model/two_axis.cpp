@@ -41,7 +41,7 @@ TwoAxisResult slide_with(const TwoAxisAcceleration& roof, const TwoAxisBlock& bl
   const BuildingAxis rigid({}, {}, 0.0, roof.dt_s);
   TwoAxisTrack track(contact.loading().to_plan(), {}, {});
   track.keep(path);
-  FullModelBody body(contact, {rigid, rigid}, 0.0, 1, tolerance, track);
+  FullModelBody body(contact, {rigid, rigid}, 0.0, 1, roof.dt_s, tolerance, track);
   body.follow(Excitation(roof), 0.0);
   return body.result();
 }

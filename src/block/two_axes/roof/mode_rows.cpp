@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "block/full_model/chord_deviation.hpp"
 #include "block/two_axes/roof/tables.hpp"
 #include "glissade/core/oscillator.hpp"
 
@@ -79,21 +80,6 @@ struct ModeRows {
     of_end = points.through(end);
   }
 };
-
-/// How far the polynomial leaves the chord of the interval, at most.
-double chord_deviation(const Row& row) {
-  static const Row most = [] {
-    Row of{};  // of tau - tau^k
-    for (std::size_t k = 2; k < row_terms; ++k) {
-      const auto order = static_cast<double>(k);
-      of[k] = (order - 1.0) / std::pow(order, order / (order - 1.0));
-    }
-    return of;
-  }();
-  double sum = 0.0;
-  for (std::size_t k = 2; k < row_terms; ++k) sum += most[k] * std::abs(row[k]);
-  return sum;
-}
 
 /// When free vibration has fallen to a twentieth.
 double decay_s(const std::array<Modes, 2>& axes) {
