@@ -46,7 +46,9 @@ struct Points {
   }
 };
 
-void add(Row& sum, double factor, const Row& row) {
+/// Unrolled, the sum stays in registers.
+inline void add(Row& sum, double factor, const Row& row) {
+#pragma GCC unroll 10
   for (std::size_t k = 0; k < row_terms; ++k) sum[k] += factor * row[k];
 }
 
@@ -95,9 +97,11 @@ double decay_s(const std::array<Modes, 2>& axes) {
 void RestTable::tabulate(const GroundNodes& ground, const std::array<Modes, 2>& modes) {
   end = std::min(ground.quiet + static_cast<std::size_t>(std::ceil(decay_s(modes) / ground.dt_s)),
                  ground.end);
-  rows.assign((end + 1) * 2 * row_terms, 0.0);
+  // A table made again overwrites all but the padding, which is zero.
+  rows.resize((end + 1) * 2 * row_terms);
   for (std::size_t n = 0; n < 2; ++n) {
-    own_a[n].assign(end + 1 + padding, 0.0);
+    const std::size_t padded = end + 1 + padding;
+    if (own_a[n].size() != padded) own_a[n].assign(padded, 0.0);
     deviation[n].assign(tiles_of(end), 0.0);
     const double after = tabulate_axis(n, ground, modes[n]);
     a[n] = own_a[n].data();
