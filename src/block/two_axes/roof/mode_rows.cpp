@@ -15,12 +15,12 @@ using Row = std::array<double, row_terms>;
 
 /// The points of a polynomial of row_terms terms on [0, 1], those of Chebyshev with both ends: a
 /// mode of phase p over the interval is off by some 2 (p / 4)^10 / 10! of its acceleration.
-struct Points {
+struct FitPoints {
   std::array<double, row_terms> at;
   /// Powers of the polynomial that is 1 at one point and 0 at the others.
   std::array<std::array<long double, row_terms>, row_terms> one_at{};
 
-  Points() {
+  FitPoints() {
     for (std::size_t j = 0; j < row_terms; ++j)
       at[j] = 0.5 - 0.5 * std::cos(std::numbers::pi * static_cast<double>(j) / (row_terms - 1));
     for (std::size_t j = 0; j < row_terms; ++j) {
@@ -59,7 +59,7 @@ struct ModeRows {
   OscillatorStep step;
 
   ModeRows(const Mode& mode, double dt_s) {
-    static const Points points;
+    static const FitPoints points;
     const double phase = 2.0 * std::numbers::pi / mode.period_s * dt_s;
     step = oscillator_step(phase, mode.damping_ratio);
     const auto acceleration = [&](double x, double y) {
