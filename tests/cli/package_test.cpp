@@ -570,6 +570,32 @@ TEST_F(RoofPackage, says_that_weak_motions_are_below_half_of_the_standards) {
   EXPECT_THAT(finished.out, states("median peak", "a check is not met"));
 }
 
+TEST_F(RoofPackage, suite_commands_and_studies_say_that_the_motions_are_of_a_roof) {
+  const std::string suite = write_suite();
+  const Finished shown = run_program({"suite", "show", suite});
+  EXPECT_EQ(shown.status, 0) << shown.err;
+  EXPECT_THAT(shown.out, states("Peak roof acceleration"));
+  expect_refused(run_program({"suite", "select", suite, "--level", "2"}),
+                 {"has motions of a roof", "spectrum of the ground"});
+  const std::string study =
+      folder_.write("study.toml",
+                    "[study]\nname = \"roofs\"\n[suite]\nfile = \"roofs.toml\"\n"
+                    "[intensity]\nmeasure = \"factor\"\nlevels = [1.0]\n"
+                    "[roof]\nslope_deg = 1.2\n[friction]\nmu = 0.3\n"
+                    "[vertical]\nuse = [\"none\", \"if_available\"]\n"
+                    "[orientation]\nchoice = \"all_permutations\"\n[clearance]\n");
+  const fs::path out = folder_.path("study");
+  const Finished run = run_program({"run", study, "--out", out.string()});
+  EXPECT_EQ(run.status, 0) << run.err;
+  for (const std::string& text :
+       {shown.out, run.out, read_file(out / "report.html"), read_file(out / "tables/records.csv"),
+        read_file(out / "tables/clearances.csv")})
+    for (const char* absent : {"PGA", "T, s", "T 0", "T = 0", "of the ground", "ground motion",
+                               "building period", "over the periods"})
+      EXPECT_EQ(text.find(absent), std::string::npos)
+          << absent << ": " << text.substr(std::max<std::size_t>(text.find(absent), 60) - 60, 160);
+}
+
 TEST_F(RoofPackage, refuses_what_is_of_the_ground_or_of_a_building_below) {
   write_suite();
   const auto check = [&](const std::string& more) { return run_program({"check", project(more)}); };

@@ -16,6 +16,7 @@
 #include "glissade/io/suite_file.hpp"
 #include "glissade/motion/improbable.hpp"
 #include "glissade/motion/intensity.hpp"
+#include "glissade/motion/roof_words.hpp"
 #include "glissade/sampling/pull_test.hpp"
 #include "put.hpp"
 #include "slide/slide_history.hpp"
@@ -126,6 +127,8 @@ std::vector<std::string> warnings_on(const SlideOptions& o, const Motion& motion
   if (o.c.period_s > longest_probable_period_s)
     warnings.push_back(fmt::format(
         "a building period of {:g} s is longer than that of any building", o.c.period_s));
+  if (o.of_roof)
+    for (std::string& warning : warnings) warning = in_words_of_roof(std::move(warning));
   return warnings;
 }
 

@@ -6,6 +6,7 @@
 
 #include "glissade/core/units.hpp"
 #include "glissade/motion/intensity.hpp"
+#include "glissade/report/roof_table.hpp"
 
 namespace glissade::cli {
 namespace {
@@ -90,7 +91,7 @@ Table motions_table(const Suite& suite) {
     }
     table.add(std::move(row));
   }
-  return table;
+  return suite.of_roof ? in_words_of_roof(std::move(table)) : table;
 }
 
 }  // namespace glissade::cli

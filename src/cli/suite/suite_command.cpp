@@ -13,6 +13,7 @@
 #include "glissade/io/suite_file.hpp"
 #include "glissade/motion/improbable.hpp"
 #include "glissade/motion/intensity.hpp"
+#include "glissade/motion/roof_words.hpp"
 #include "glissade/motion/simulation/suite_design.hpp"
 #include "glissade/motion/suite_scaling.hpp"
 #include "glissade/motion/walters_level.hpp"
@@ -74,7 +75,8 @@ void show(const SuiteOptions& o) {
   if (suite.nearest_to_target)
     put("selected as the nearest to a target spectrum: the motions scatter less\n");
   for (const Motion& motion : suite.motions) {
-    for (const std::string& value : improbable_values(motion)) warn(motion.id + ": " + value);
+    for (const std::string& value : improbable_values(motion))
+      warn(motion.id + ": " + (suite.of_roof ? in_words_of_roof(value) : value));
   }
   for (const Motion& motion : suite.motions) {
     for (const std::string& note : notes_on(motion))

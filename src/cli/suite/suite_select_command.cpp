@@ -286,6 +286,11 @@ void run(const SelectOptions& o) {
   const Task task = task_of(o);
   check_output_file(o.out, "--out", o.overwrite);
   const Suite library = load_suite(o.library);
+  if (library.of_roof)
+    throw InputError({o.library,
+                      "has motions of a roof: records are selected by magnitude, distance and the "
+                      "spectrum of the ground",
+                      "select ground motions, and give the motions of the roof under them", ""});
   const RecordSelection selection = select(library, task);
   if (!o.out.empty()) write_text_file(o.out, suite_text(o, library, task, selection));
   if (o.json) {

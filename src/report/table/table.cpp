@@ -14,7 +14,9 @@
 #include "glissade/core/contract.hpp"
 #include "glissade/core/units.hpp"
 #include "glissade/core/wrap.hpp"
+#include "glissade/motion/roof_words.hpp"
 #include "glissade/report/format.hpp"
+#include "glissade/report/roof_table.hpp"
 
 namespace glissade {
 namespace {
@@ -158,6 +160,13 @@ Column text_column(std::string stem, std::string heading, std::string descriptio
 void Table::add(std::vector<Cell> row) {
   GLISSADE_EXPECTS(std::ranges::equal(columns, row, belongs_in));
   rows.push_back(std::move(row));
+}
+
+Table in_words_of_roof(Table table) {
+  table.title = in_words_of_roof(std::move(table.title));
+  for (std::string& note : table.notes) note = in_words_of_roof(std::move(note));
+  for (Column& column : table.columns) column.heading = in_words_of_roof(std::move(column.heading));
+  return table;
 }
 
 Table Table::without(const std::string& stem) const {

@@ -244,7 +244,8 @@ std::vector<Skip> skips_of(const Plan& plan) {
   std::vector<Skip> skips = skipped_analyses(config);
   const std::uint64_t pairs = plan.records.size() * plan.cases.size();
   if (config.vertical == std::vector{VerticalChoice::none})
-    skips.push_back({"vertical ground motion", "[vertical] use = \"none\"", pairs});
+    skips.push_back({plan.suites.front().of_roof ? "vertical motion" : "vertical ground motion",
+                     "[vertical] use = \"none\"", pairs});
   if (std::ranges::all_of(plan.cases.all(), [](const Case& c) { return c.period_s == 0.0; }))
     skips.push_back({"roof motions filtered by a building",
                      plan.suites.front().of_roof ? "the motions are those of the roof"

@@ -179,6 +179,7 @@ Figure mce_figure(const Results& results) {
 
 /// Displacement over the roof's vertical period by the building's.
 Figure vertical_figure(const Results& results) {
+  const bool of_roof = results.suites.front().of_roof;
   constexpr std::size_t most = 4;
   View view = by_building(results, vertical, clearance_periods_table(results), most);
   view.spread = DataSeries::Kind::bars;
@@ -191,15 +192,18 @@ Figure vertical_figure(const Results& results) {
   for (std::size_t i = 0; i < grid.vertical.size(); ++i) {
     const auto& [use, period_s] = grid.vertical[i];
     const std::string name = use == VerticalChoice::none ? "none"
+                             : of_roof                   ? "with"
                              : period_s == 0.0           ? "rigid"
                                                          : fmt::format("{:g} s", period_s);
-    view.places.push_back({label_of(grid, vertical, i), {static_cast<double>(i), name}});
+    view.places.push_back({condition_cell(results, vertical, i), {static_cast<double>(i), name}});
   }
   return {"vertical",
           "Effect of the roof's vertical motion on the displacement",
           below_text(results, {vertical}),
-          "None: no vertical motion. Rigid: the roof moves vertically with the ground, as Walters "
-          "et al. (2012) assume. Else: with its own vertical period, with the study's damping. " +
+          std::string(of_roof ? "None: no vertical motion. With: that of the suite. "
+                              : "None: no vertical motion. Rigid: the roof moves vertically with "
+                                "the ground, as Walters et al. (2012) assume. Else: with its own "
+                                "vertical period, with the study's damping. ") +
               what_is_averaged(results) + "." + left_out_text(results, most),
           {means_panel(results, {view}, "Vertical motion of the roof")}};
 }
@@ -209,7 +213,8 @@ Figure vertical_figure(const Results& results) {
 std::vector<Figure> clearance_figures(const Results& results) {
   std::vector<Figure> figures;
   const auto add = [&](ClearanceTopic topic, Figure (*draw)(const Results&)) {
-    if (!covers(results, topic)) return;
+    const bool is_over_period = topic == ClearanceTopic::period || topic == ClearanceTopic::mce;
+    if (!covers(results, topic) || (is_over_period && results.suites.front().of_roof)) return;
     figures.push_back(draw(results));
     figures.back().labels_at_lines = topic != ClearanceTopic::spectra;
   };

@@ -7,6 +7,7 @@
 
 #include "analysis/conditions/view.hpp"
 #include "glissade/core/quantile.hpp"
+#include "glissade/motion/roof_words.hpp"
 #include "glissade/report/clearance_report.hpp"
 #include "glissade/report/format.hpp"
 #include "text/study_text.hpp"
@@ -252,7 +253,9 @@ bool covers(const Results& results, ClearanceTopic topic) {
 }
 
 std::string clearance_reading(const Results& results, ClearanceTopic topic) {
-  return covers(results, topic) ? topic_of(topic).reading(results) : "";
+  if (!covers(results, topic)) return "";
+  const std::string reading = topic_of(topic).reading(results);
+  return results.suites.front().of_roof ? in_words_of_roof(reading) : reading;
 }
 
 }  // namespace glissade

@@ -8,6 +8,7 @@
 #include "analysis/conditions/columns.hpp"
 #include "analysis/conditions/view.hpp"
 #include "glissade/core/finite.hpp"
+#include "glissade/motion/roof_words.hpp"
 #include "glissade/report/clearance_report.hpp"
 #include "glissade/report/format.hpp"
 #include "text/study_text.hpp"
@@ -89,6 +90,8 @@ std::vector<std::string> clearance_sentences(const Results& results) {
   }
   if (const std::string range = range_of_conditions(results); !range.empty())
     sentences.push_back(range);
+  if (results.suites.front().of_roof)
+    for (std::string& sentence : sentences) sentence = in_words_of_roof(std::move(sentence));
   return sentences;
 }
 

@@ -19,10 +19,15 @@ const Column governing_column{"governing_period", "s", "At T, s", ColumnKind::nu
                               "building period at which the mean is largest; nan: drawn"},
     period_column{"period", "s", "T, s", ColumnKind::number, "building period; nan: drawn"};
 
+/// Nothing of motions of a roof, below which no building is computed.
+const Column* below_roof(const Results& results, const Column& column) {
+  return results.suites.front().of_roof ? nullptr : &column;
+}
+
 MeansByCondition largest_means(const Results& results) {
   MeansByCondition of{results,
                       conditions_of(results),
-                      &governing_column,
+                      below_roof(results, governing_column),
                       sliding_conditions(results.conditions->grid, Periods::largest),
                       {}};
   for (const RequiredClearance& required : results.clearance->required)
@@ -31,17 +36,18 @@ MeansByCondition largest_means(const Results& results) {
 }
 
 MeansByCondition means_by_period(const Results& results) {
-  return {results, conditions_of(results), &period_column,
+  return {results, conditions_of(results), below_roof(results, period_column),
           sliding_conditions(results.conditions->grid, Periods::one), results.clearance->by_period};
 }
 
 }  // namespace
 
 Table clearance_table(const Results& results) {
+  const bool of_roof = results.suites.front().of_roof;
   Table table = means_table(largest_means(results), "clearances",
-                            "The suite's mean displacement, the largest over the building periods, "
-                            "over the orientations; and the clearance" +
-                                rule_text(results));
+                            std::string("The suite's mean displacement,") +
+                                (of_roof ? "" : " the largest over the building periods,") +
+                                " over the orientations; and the clearance" + rule_text(results));
   append(table.columns, {range_column("clearance", "Clearance", "required clearance by the rule"),
                          range_column("clearance_median", "By the median",
                                       "the factor on the median of the orientations"),
@@ -56,7 +62,10 @@ Table clearance_table(const Results& results) {
 
 Table clearance_periods_table(const Results& results) {
   return means_table(means_by_period(results), "by_period",
-                     "The suite's mean displacement by building period, over the orientations");
+                     results.suites.front().of_roof
+                         ? "The suite's mean displacement, over the orientations"
+                         : "The suite's mean displacement by building period, over the "
+                           "orientations");
 }
 
 Table clearance_yielding_table(const Results& results) {
@@ -83,21 +92,23 @@ std::vector<Table> clearance_by_orientation_tables(const Results& results) {
 }
 
 Table clearance_orientations_table(const Results& results) {
-  Table table{
-      "orientations",
-      "The suite's mean displacement in each orientation of all records, by building period; " +
-          results.suites.front().name + ", " +
-          conditions_text(results, shown_condition(results.conditions->grid),
-                          {ConditionAxis::period, ConditionAxis::support}),
-      {text_column("orientation", "Orientation", "orientation of all records"),
-       {"same_as", "", "Gives the same as", ColumnKind::count,
-        "number of the first orientation with the same histories"}},
-      {},
-      {}};
+  const bool of_roof = results.suites.front().of_roof;
+  Table table{"orientations",
+              "The suite's mean displacement in each orientation of all records" +
+                  std::string(of_roof ? "; " : ", by building period; ") +
+                  results.suites.front().name + ", " +
+                  conditions_text(results, shown_condition(results.conditions->grid),
+                                  {ConditionAxis::period, ConditionAxis::support}),
+              {text_column("orientation", "Orientation", "orientation of all records"),
+               {"same_as", "", "Gives the same as", ColumnKind::count,
+                "number of the first orientation with the same histories"}},
+              {},
+              {}};
   for (const double period : results.conditions->grid.period_s) {
-    table.columns.push_back({fmt::format("t_{:g}s", period), "m",
-                             fmt::format("T {:g} s, m (in)", period), ColumnKind::length,
-                             "mean over the suite at this building period"});
+    table.columns.push_back(
+        {of_roof ? "mean" : fmt::format("t_{:g}s", period), "m",
+         of_roof ? "Mean, m (in)" : fmt::format("T {:g} s, m (in)", period), ColumnKind::length,
+         of_roof ? "mean over the suite" : "mean over the suite at this building period"});
   }
   append(table.columns, {range_column("largest", "Largest", "largest of the building periods"),
                          range_column("clearance", "Clearance", "required clearance by the rule")});

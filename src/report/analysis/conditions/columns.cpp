@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "analysis/conditions/view.hpp"
+#include "glissade/motion/roof_words.hpp"
 #include "glissade/report/format.hpp"
 #include "text/study_text.hpp"
 
@@ -28,6 +29,8 @@ Column condition_level_column(const Results& results) {
           "intensity level"};
 }
 
+}  // namespace
+
 Cell condition_cell(const Results& results, ConditionAxis axis, std::size_t place) {
   const ConditionGrid& grid = results.conditions->grid;
   switch (axis) {
@@ -42,11 +45,10 @@ Cell condition_cell(const Results& results, ConditionAxis axis, std::size_t plac
     case ConditionAxis::period:
       return grid.period_s[place];
     default:
-      return label_of(grid, axis, place);
+      return results.suites.front().of_roof ? in_words_of_roof(label_of(grid, axis, place))
+                                            : label_of(grid, axis, place);
   }
 }
-
-}  // namespace
 
 ConditionColumns::ConditionColumns(const Results& results, std::vector<ConditionAxis> without)
     : results_(results) {

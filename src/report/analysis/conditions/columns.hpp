@@ -24,6 +24,8 @@ class ConditionColumns {
 
 /// The column of an axis.
 Column condition_column_of(const Results& results, ConditionAxis axis);
+/// What stands in it at a place.
+Cell condition_cell(const Results& results, ConditionAxis axis, std::size_t place);
 /// The rows of a table at a condition but for its place on an axis.
 Where rows_at(const Results& results, const Table& table, const Condition& at, ConditionAxis but);
 

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "glissade/core/units.hpp"
+#include "glissade/motion/roof_words.hpp"
 #include "glissade/report/format.hpp"
 #include "text/study_text.hpp"
 
@@ -145,8 +146,9 @@ std::string conditions_text(const Results& results, const Condition& at,
   const std::size_t place = at[ConditionAxis::listed];
   if (place < listed.size() && listed[place].starts_with("friction"))
     left_out.push_back(ConditionAxis::listed);  // it follows
-  return joined(results.conditions->grid, at, left_out, 1) + ", friction " +
-         friction_text(results, at);
+  const std::string text = joined(results.conditions->grid, at, left_out, 1) + ", friction " +
+                           friction_text(results, at);
+  return results.suites.front().of_roof ? in_words_of_roof(text) : text;
 }
 
 std::string clearance_text(double clearance_m) {

@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "glissade/report/format.hpp"
+#include "glissade/report/roof_table.hpp"
 #include "text/study_text.hpp"
 
 namespace glissade {
@@ -57,7 +58,8 @@ Table records_table(const Results& results) {
                r.factor_at_unit_level, r.pga_g, r.pgv_mps, r.pgd_m, r.duration_s, r.dt_s,
                static_cast<double>(r.samples), yes_no(r.has_second), yes_no(r.has_vertical)});
   }
-  return results.suites.size() > 1 ? table : table.without("suite");
+  if (results.suites.size() == 1) table = table.without("suite");
+  return results.suites.front().of_roof ? in_words_of_roof(std::move(table)) : table;
 }
 
 Table spectra_table(const Results& results) {
