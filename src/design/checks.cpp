@@ -247,7 +247,8 @@ std::vector<std::string> choices_of(const Project& project) {
     add_found(gaps_between(project.building.period_s));
     add_found(improbable_mass_ratio(project.building.mass_ratio.back()));
     add_found(improbable_damping(project.building.damping));
-    add_found(one_mass_sentence(project.building.storeys, project.building.period_s.back()));
+    if (project.building.alpha.empty())
+      add_found(one_mass_sentence(project.building.storeys, project.building.period_s.back()));
   }
   for (const auto& available_m : project.available_m)
     add(available_m && *available_m > largest_probable_clearance_m,

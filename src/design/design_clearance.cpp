@@ -19,13 +19,14 @@ namespace {
 
 /// The inputs of a condition that a project varies.
 struct Inputs {
-  double friction = 0.0, slope_deg = 0.0, mass_ratio = 0.0, level = 0.0, period_s = 0.0;
+  double friction = 0.0, slope_deg = 0.0, mass_ratio = 0.0, level = 0.0, period_s = 0.0,
+         alpha = 0.0;
   VerticalChoice vertical = VerticalChoice::if_available;
 };
 
 Inputs inputs_of(const Results& results, const SuiteMean& mean) {
   const Case& c = results.cases.cases[mean.first_case];
-  return {c.friction, c.slope_deg, c.mass_ratio, mean.level, mean.period_s, c.vertical};
+  return {c.friction, c.slope_deg, c.mass_ratio, mean.level, mean.period_s, c.alpha, c.vertical};
 }
 
 bool is_among(const std::vector<double>& values, double value) {
@@ -45,7 +46,8 @@ bool is_condition_of(const Project& project, const Results& demand, const Inputs
   return inputs.friction == friction && inputs.level == demand.levels.front() &&
          is_among(project.slope_deg, inputs.slope_deg) &&
          is_among(project.building.mass_ratio, inputs.mass_ratio) &&
-         is_among(project.building.period_s, inputs.period_s);
+         is_among(project.building.period_s, inputs.period_s) &&
+         (project.building.alpha.empty() || is_among(project.building.alpha, inputs.alpha));
 }
 
 /// The largest requirement.
@@ -154,6 +156,8 @@ std::vector<Sensitivity> sensitivity_of(const Project& project, const Results& d
   });
   table.vary("shaking", &Inputs::level,
              [&](double level) -> std::string { return level == governing.level ? "DBE" : "MCE"; });
+  table.vary("alpha of the building", &Inputs::alpha,
+             [](double value) { return fmt::format("{:.3g}", value); });
   table.vary("building period", &Inputs::period_s,
              [](double value) { return fmt::format("{:.3g} s", value); });
   return std::move(table).rows();
@@ -194,6 +198,7 @@ DesignClearance design_clearance(const Project& project, const Results& demand) 
   design.mass_ratio = inputs.mass_ratio;
   design.vertical = inputs.vertical;
   design.period_s = governing.period_s;
+  design.alpha = inputs.alpha;
   design.factor = demand.clearance->factor;
   design.of_largest = demand.records.size() < least_records;
   design.analysis_m = required_m(demand, governing);

@@ -36,6 +36,7 @@ std::vector<double> slopes_of(const Project& project) {
 std::vector<double> mass_ratios_of(const Project& project) {
   constexpr double of_none = 0.05, most = 1.0;
   std::vector<double> ratios = project.building.mass_ratio;
+  if (!project.building.alpha.empty()) return ratios;
   const double more = ratios.back() > 0.0 ? 2.0 * ratios.back() : of_none;
   if (!project.of_roof && ratios.size() == 1 && more <= most) ratios.push_back(more);
   return ratios;

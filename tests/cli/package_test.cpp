@@ -73,7 +73,7 @@ TEST_F(Package, has_the_site_values_of_the_published_calculation) {
 }
 
 // From the histories of the demand study: the mean of the records in each orientation, the largest
-// over orientations, periods, mass ratios, with and without vertical, at design friction and DBE.
+// over orientations, periods, alphas, with and without vertical, at design friction and DBE.
 TEST_F(Package, analysis_is_1_1_times_the_largest_mean_of_the_histories) {
   std::map<std::string, std::size_t> column;
   std::map<std::string, std::pair<double, int>> sums;  // by everything but the record
@@ -95,7 +95,7 @@ TEST_F(Package, analysis_is_1_1_times_the_largest_mean_of_the_histories) {
                                std::stod(cell("slope_deg")) < 2.0;  // not the steeper one
     if (std::stod(cell("level_g")) > 1.1 || !is_of_project) continue;
     auto& [sum_m, records] =
-        sums[cell("orientation") + cell("vertical") + cell("mass_ratio") + "|" + cell("period_s")];
+        sums[cell("orientation") + cell("vertical") + cell("condition") + "|" + cell("period_s")];
     sum_m += std::stod(cell("displacement_m"));
     ++records;
   }
@@ -185,11 +185,15 @@ TEST_F(Package, an_edge_without_a_parapet_is_4_ft_away_or_more) {
   EXPECT_THAT(read_file(out() / "package.html"), states("and 4 ft or more (recalled)", "0.2 S_DS"));
 }
 
-TEST_F(Package, lists_the_conditions_of_both_standards_and_warns_of_ten_storeys_as_one_mass) {
+TEST_F(Package, lists_the_conditions_of_both_standards_and_computes_ten_storeys_by_modes) {
   EXPECT_THAT(read_file(out() / "tables/conditions.csv"),
               states("centre of mass", "0.133 S_DS", "13.6.12", "SEAOC PV1-2012"));
-  EXPECT_THAT(finished_.out, states("10 storeys", "too little slip"));
-  EXPECT_THAT(read_file(out() / "package.html"), states("AC156", "too little slip"));
+  for (const std::string& text : {finished_.out, read_file(out() / "package.html")})
+    EXPECT_THAT(text, Not(testing::HasSubstr("too little slip")));
+  EXPECT_THAT(finished_.out, states("alpha 20 to 30"));
+  EXPECT_THAT(read_file(out() / "demand.toml"), states("alpha = [20, 30]", "mass_ratio = [0]"));
+  EXPECT_THAT(read_file(out() / "package.html"),
+              states("AC156", "uniform cantilever of flexure and shear", "neglected"));
 }
 
 TEST_F(Package, warns_of_simulated_motions_and_of_records_that_are_the_nearest_to_a_target) {
@@ -280,7 +284,7 @@ TEST_F(Package, one_slope_and_the_friction_that_the_tests_support_are_varied) {
   const nlohmann::json json = numbers();
   for (const auto& row : json.at("sensitivity")) ++rows[row.at("input")];
   EXPECT_EQ(rows["roof slope"], 2);
-  EXPECT_EQ(rows["mass ratio"], 2);
+  EXPECT_EQ(rows["alpha of the building"], 2);
   EXPECT_EQ(rows["friction"], 4);  // mean - 2 std, mean, mean + 2 std, lower bound of the tests
 }
 

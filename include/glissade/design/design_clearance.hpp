@@ -97,9 +97,9 @@ struct DesignCheck {
 
 struct DesignClearance {
   SiteValues site;
-  double slope_deg = 0.0, mass_ratio = 0.0, period_s = 0.0;  ///< of the governing case
-  VerticalChoice vertical = VerticalChoice::if_available;    ///< likewise
-  std::vector<PeriodDemand> demand;                          ///< by period
+  double slope_deg = 0.0, mass_ratio = 0.0, period_s = 0.0, alpha = 0.0;  ///< of the governing case
+  VerticalChoice vertical = VerticalChoice::if_available;                 ///< likewise
+  std::vector<PeriodDemand> demand;                                       ///< by period
   double peak_roof_g = 0.0;  ///< of the motions of a roof at DBE, their median
   double factor = 1.1;
   bool of_largest = false;  ///< fewer than 7 records: the largest counts in place of the mean

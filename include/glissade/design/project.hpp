@@ -33,8 +33,11 @@ struct ProjectBuilding {
   std::optional<double> height_m;              ///< where the period comes from it
   std::optional<double> approximate_period_s;  ///< T_a of that height
   std::optional<double> storeys;               ///< above ground, where given
-  std::vector<double> mass_ratio;              ///< of the array to the building, increasing
-  std::string mass_basis = "project file";     ///< or the weights that it is the ratio of
+  /// Of a uniform cantilever of flexure and shear, increasing; empty: one mass.
+  std::vector<double> alpha;
+  std::string model_basis = "one storey, or storeys not stated";
+  std::vector<double> mass_ratio;           ///< of the array to the building, increasing
+  std::string mass_basis = "project file";  ///< or the weights that it is the ratio of
   double damping = 0.05;
 };
 

@@ -76,6 +76,7 @@ std::string numbers_json(const CalculationPackage& package) {
                  {"peak_roof_acceleration_g", design.peak_roof_g}});
   else
     json.update({{"mass_ratio", design.mass_ratio}, {"period_s", design.period_s}});
+  if (!package.project.building.alpha.empty()) json["alpha"] = design.alpha;
   json.update({{"analysis_m", design.analysis_m}, {"least_value_m", design.floor_m}});
   add_results(json, design);
   for (const PrescribedValue& value : design.prescribed)

@@ -68,8 +68,12 @@ void print_inputs(const Project& project) {
       wrapped(project.of_roof
                   ? fmt::format("none is computed: the motions are those of its roof, factor {:g}",
                                 project.roof_factor)
-                  : fmt::format("period {} s ({}), mass ratio {}", range_text(building.period_s),
-                                building.period_basis, range_text(building.mass_ratio)),
+                  : fmt::format("period {} s ({}), {}, mass ratio {}",
+                                range_text(building.period_s), building.period_basis,
+                                building.alpha.empty()
+                                    ? "one mass"
+                                    : "modes with alpha " + range_text(building.alpha),
+                                range_text(building.mass_ratio)),
               terminal_width, 12));
   put("{:<12}slope {} degrees\n", "roof", range_text(project.slope_deg));
   const std::vector<Separation> separations = separations_of(project.standard, 1.0);

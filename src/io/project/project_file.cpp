@@ -198,6 +198,34 @@ ProjectBuilding read_building_below(const TomlTable& table) {
           .mass_basis = "the array does not act back on the roof"};
 }
 
+/// From two storeys on a cantilever, of every alpha in its range. The array's mass is neglected:
+/// it makes the displacement smaller (study 34), and the lanes take several modes without it.
+void read_model(const TomlTable& table, ProjectBuilding& building) {
+  const bool has_storeys = building.storeys.value_or(1.0) > 1.0;
+  if (table.has("alpha") && !has_storeys)
+    table.report("alpha", "building.alpha needs building.storeys of 2 or more",
+                 "give the storeys, or leave alpha out: one storey is one mass");
+  if (!has_storeys) return;
+  building.mass_basis = fmt::format(
+      "{}; neglected with several modes, which gives larger displacements", building.mass_basis);
+  building.mass_ratio = {0.0};
+  if (table.has("alpha")) {
+    building.alpha = read_values(
+        table, "alpha", {"from 0 to 500", [](double x) { return x >= 0.0 && x <= largest_alpha; }});
+    building.model_basis = "project file";
+    return;
+  }
+  const std::string name = table.text("system").value_or("other");
+  const auto system = std::ranges::find(structural_systems, name, &StructuralSystem::name);
+  const StructuralSystem& found =
+      system != structural_systems.end()
+          ? *system
+          : structural_systems[name == "concentrically_braced_frame" ? 2 : 3];
+  building.alpha = {found.least_alpha, found.most_alpha};
+  building.model_basis = fmt::format("usual for {} (Miranda & Taghavi 2005, recalled: verify)",
+                                     table.has("system") ? name : "a system that is not stated");
+}
+
 ProjectBuilding read_building(const TomlTable& table, const Project& project) {
   if (project.of_roof) return read_building_below(table);
   ProjectBuilding building;
@@ -238,6 +266,7 @@ ProjectBuilding read_building(const TomlTable& table, const Project& project) {
     building.mass_ratio = read_values(table, "mass_ratio", to_one);
   }
   building.storeys = table.number("storeys", storeys_rule);
+  read_model(table, building);
   building.damping =
       table.number("damping", {"from 0 to 0.999", [](double x) { return x >= 0.0 && x <= 0.999; }})
           .value_or(building.damping);

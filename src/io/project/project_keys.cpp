@@ -38,7 +38,11 @@ const std::vector<GrammarKey> keys = {
      "concentrically_braced_frame or other: T_a = C_t h^x"},
     {"building", "height_m", "\"40 ft\"", alternative, "height of the building"},
     {"building", "period_bounds", "[0.75, 1.5]", alternative, "times T_a, the usual bounds"},
-    {"building", "storeys", "2", in_example, "above ground: a condition of the standard"},
+    {"building", "storeys", "2", in_example,
+     "above ground: a condition of the standard; from two on the building is computed by modes"},
+    {"building", "alpha", "[20, 30]", alternative,
+     "of a uniform cantilever of flexure and shear, one value or a range; usual by system: frames "
+     "20 to 30, braced frames 5 to 10, other and not stated 0 to 2; needs two storeys or more"},
     {"building", "mass_ratio", "[0.02, 0.1]", required,
      "the array's mass, ballast included, over that of the building, one value or a range"},
     {"building", "array_weight_kn", "\"60 kip\"", alternative,

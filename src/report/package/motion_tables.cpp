@@ -17,10 +17,11 @@ double displacement_of(const CalculationPackage& package, std::size_t record) {
   double largest = 0.0;
   for (std::size_t i = 0; i < table.first_case.size(); ++i) {
     const Case& c = package.demand.cases.cases[table.first_case[i]];
-    const bool governs =
-        c.friction == package.project.friction.design() &&
-        c.slope_deg == package.design.slope_deg && c.mass_ratio == package.design.mass_ratio &&
-        c.period_s == package.design.period_s && c.vertical == package.design.vertical;
+    const bool governs = c.friction == package.project.friction.design() &&
+                         c.slope_deg == package.design.slope_deg &&
+                         c.mass_ratio == package.design.mass_ratio &&
+                         c.period_s == package.design.period_s && c.alpha == package.design.alpha &&
+                         c.vertical == package.design.vertical;
     if (!governs || table.grid.position(i)[ConditionAxis::level] != 0) continue;
     for (std::size_t o = 0; o < table.orientations.size(); ++o)
       largest = std::max(largest, table.at(record, o, i).displacement_m);

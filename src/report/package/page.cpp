@@ -192,7 +192,7 @@ Html motions_html(const CalculationPackage& package, const std::vector<DrawnFigu
          page_table(record_spectra_table(package)) + figure_html(figures.front(), 1);
 }
 
-Html model_html(bool of_roof) {
+Html model_html(bool of_roof, bool of_modes) {
   const Html building =
       paragraph(
           "Building with the ground acceleration a_g, along each of its axes (M: mass; u: "
@@ -212,6 +212,16 @@ Html model_html(bool of_roof) {
                    "with Coulomb friction; it slides in plan along both axes at once and does not "
                    "act "
                    "back on the roof."
+             : of_modes
+                 ? "The building is linear, with several modes along each of its two horizontal "
+                   "axes, of one damping ratio: those of a uniform cantilever of flexure and shear "
+                   "(Miranda & Taghavi 2005), as many as carry 95 % of the mass or have periods "
+                   "above 0.05 s, six at most; the equation below is that of one mode, on which "
+                   "the "
+                   "ground and the array act by its participation. The array is a rigid mass on "
+                   "its "
+                   "roof with Coulomb friction; it slides in plan along both axes at once and acts "
+                   "back on the building. The roof moves vertically with the ground."
                  : "The building is a linear oscillator along each of its two horizontal axes, "
                    "with "
                    "one period and damping ratio. The array is a rigid mass on its roof with "
@@ -374,7 +384,8 @@ void write_package(const CalculationPackage& package, const std::filesystem::pat
       contents_html(motions_title(package.project)) + section_heading(1) +
       "<div class=\"inputs\">\n" + page_table(inputs_table(package)) + "</div>\n" +
       given_curves_html(package.project) + motions_html(package, figures) +
-      model_html(package.project.of_roof) + section_heading(4) + page_table(demand_table(package)) +
+      model_html(package.project.of_roof, !package.project.building.alpha.empty()) +
+      section_heading(4) + page_table(demand_table(package)) +
       (has_demand_figure ? figure_html(figures.at(1), 2) : Html()) + required_html(package) +
       section_heading(6) + page_table(sensitivity_table(package)) + section_heading(7) +
       page_table(exceedance_table(package)) +

@@ -26,10 +26,13 @@ std::string inputs_lines(const CalculationPackage& package) {
               fmt::format("S_MS {:.3f} g, S_M1 {:.3f} g, S_DS {:.3f} g, S_D1 {:.3f} g, category {}",
                           site.sms_g(), site.sm1_g(), site.sds_g, site.sd1_g,
                           category_text(p.site, site))) +
-         line("Building", p.of_roof ? "none is computed: the motions are those of its roof"
-                                    : fmt::format("period {}, mass ratio {}",
-                                                  range_text(p.building.period_s, " s"),
-                                                  range_text(p.building.mass_ratio, ""))) +
+         line("Building",
+              p.of_roof ? "none is computed: the motions are those of its roof"
+                        : fmt::format("period {}, {}", range_text(p.building.period_s, " s"),
+                                      p.building.alpha.empty()
+                                          ? "mass ratio " + range_text(p.building.mass_ratio, "")
+                                          : "modes of a cantilever, alpha " +
+                                                range_text(p.building.alpha, ""))) +
          line("Roof", fmt::format("slope {}; friction {:.3f}, std {:.3f}, design {:.3f}",
                                   range_text(p.slope_deg, " deg"), p.friction.mean, p.friction.std,
                                   p.friction.design())) +
@@ -61,7 +64,7 @@ std::string demand_lines(const CalculationPackage& package) {
 std::string governing_lines(const CalculationPackage& package) {
   const DesignClearance& design = package.design;
   const ProjectBuilding& building = package.project.building;
-  const bool is_too_little = !package.project.of_roof &&
+  const bool is_too_little = !package.project.of_roof && building.alpha.empty() &&
                              !one_mass_sentence(building.storeys, building.period_s.back()).empty();
   const std::string analysis = length_in_both(design.analysis_m) +
                                (is_too_little ? "; too little: one mass (see WARNING)" : "");

@@ -174,6 +174,12 @@ Table inputs_table(const CalculationPackage& package) {
   else
     add("Building period", range_text(p.building.period_s, " s"), p.building.period_basis);
   if (p.building.storeys) add("Storeys", fmt::format("{:g}", *p.building.storeys), "project file");
+  if (!p.of_roof)
+    add("Model of the building",
+        p.building.alpha.empty() ? "one mass on one spring"
+                                 : "modes of a uniform cantilever of flexure and shear, alpha " +
+                                       range_text(p.building.alpha, ""),
+        p.building.model_basis);
   if (!p.of_roof) {
     add("Damping of the building", fmt::format("{:g} %", 100.0 * p.building.damping),
         "project file");

@@ -425,12 +425,28 @@ TEST_F(ProjectFile, states_what_the_standards_ask_of_the_array) {
     EXPECT_EQ(value.not_met(), "");
 }
 
-TEST_F(ProjectFile, several_storeys_as_one_mass_are_warned_of) {
+TEST_F(ProjectFile, of_two_storeys_or_more_the_building_has_several_modes) {
+  const auto building = [&](const std::string& keys) {
+    return read(changed("[building]\n", "[building]\n" + keys)).building;
+  };
+  EXPECT_THAT(building("storeys = 1\n").alpha, testing::IsEmpty());
+  const ProjectBuilding two = building("storeys = 2\n");
+  EXPECT_THAT(two.alpha, ElementsAre(0.0, 2.0));
+  EXPECT_THAT(two.mass_ratio, ElementsAre(0.0));
+  EXPECT_THAT(two.mass_basis, states("neglected"));
+  EXPECT_THAT(building("storeys = 2\nalpha = 7\n").alpha, ElementsAre(7.0));
+  EXPECT_EQ(problems_of(changed("[building]\n", "[building]\nalpha = 7\n")).size(), 1u);
+  EXPECT_EQ(problems_of(changed("[building]\n", "[building]\nstoreys = 2\nalpha = -7\n")).size(),
+            1u);
+}
+
+TEST_F(ProjectFile, storeys_that_are_not_stated_are_one_mass_with_a_warning) {
   const auto of_storeys = [&](const char* storeys) {
     return choices_of(read(changed("[building]\n", std::string("[building]\n") + storeys)));
   };
-  EXPECT_THAT(of_storeys("storeys = 2\n"), Contains(states("2 storeys", "too little slip", "1.4")));
-  EXPECT_THAT(of_storeys("storeys = 1\n"), Not(Contains(states("too little slip"))));
+  EXPECT_THAT(of_storeys(""), Contains(states("two storeys or more", "too little slip", "1.4")));
+  for (const char* storeys : {"storeys = 1\n", "storeys = 2\n"})
+    EXPECT_THAT(of_storeys(storeys), Not(Contains(states("too little slip")))) << storeys;
 }
 
 TEST_F(ProjectFile, a_spectrum_by_points_is_of_its_edition_and_in_g) {

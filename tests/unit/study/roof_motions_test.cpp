@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 
 #include "glissade/block/slide.hpp"
+#include "glissade/building/modes.hpp"
 #include "glissade/building/roof_motion.hpp"
 #include "glissade/core/error.hpp"
 #include "unit/io/problems.hpp"
@@ -144,6 +145,34 @@ TEST(roof_motions, of_a_frame_give_the_displacements_of_its_roof_in_closed_form)
     EXPECT_NEAR(found.displacement_m(record, c, level), expected_m, 5e-6 * expected_m + 1e-9);
   });
   EXPECT_GT(slid, 9);  // of 18
+}
+
+// The same building by the modes of a study, and by motions of its roof that a frame model of its
+// own made: the roof's samples are joined by lines.
+TEST(roof_motions, of_a_frame_give_the_displacements_of_a_study_of_its_modes) {
+  const Suite ground = test::small_suite();
+  for (const SlidingAxes axes : {SlidingAxes::one, SlidingAxes::two}) {
+    StudyConfig config = as_recorded(axes);
+    config.vertical = {VerticalChoice::none};
+    const HistoryTable by_roof =
+        test::run(make_plan(config, {roofs_of(three_storeys(), ground, 100, 6.0)})).histories;
+    config.quantities.at("building", "period_s") = fixed(0.6);
+    config.quantities.at("building", "damping") = fixed(damping);
+    config.building.kind = BuildingModel::Kind::modes;  // all three
+    for (std::vector<Mode>& modes : config.building.modes) {
+      modes = shear_building_modes(std::vector(3, storey_mass_kg),
+                                   std::vector(3, storey_stiffness_npm()));
+      for (Mode& mode : modes) mode.period_s /= 0.6;
+    }
+    const HistoryTable by_modes = test::run(make_plan(config, {ground})).histories;
+    int slid = 0;
+    test::for_each_history(by_modes, [&](std::size_t record, std::size_t c, std::size_t level) {
+      const double expected_m = by_roof.displacement_m(record, c, level);
+      slid += expected_m > 0.0;
+      EXPECT_NEAR(by_modes.displacement_m(record, c, level), expected_m, 1e-5 * expected_m + 1e-9);
+    });
+    EXPECT_GT(slid, 5);
+  }
 }
 
 TEST(roof_motions, refuse_what_needs_the_ground_or_a_building) {
