@@ -208,8 +208,9 @@ void run(const BuildingOptions& o) {
   if (all.size() == 1) return;
   put("\n{}\n",
       wrapped(fmt::format("A study with [building] period_s = {:.3g} computes one mass, whose peak "
-                          "roof acceleration is {:.2g} times that of the modes. For a building of "
-                          "two or more storeys use motions of its roof (suites/README.md).",
+                          "roof acceleration is {:.2g} times that of the modes. State "
+                          "alpha, storeys or modes in [building], or use motions of its roof "
+                          "(studies/README.md, The model).",
                           modes.front().period_s, roof->one_mass / roof->by_modes),
               terminal_width, 0));
 }

@@ -91,7 +91,7 @@ TEST_F(Package, analysis_is_1_1_times_the_largest_mean_of_the_histories) {
       continue;
     }
     const auto cell = [&](const char* name) { return cells.at(column.at(name)); };
-    const bool is_of_project = cell("condition").ends_with(" 0.474") &&
+    const bool is_of_project = cell("condition").find("friction 0.474") != std::string::npos &&
                                std::stod(cell("slope_deg")) < 2.0;  // not the steeper one
     if (std::stod(cell("level_g")) > 1.1 || !is_of_project) continue;
     auto& [sum_m, records] =
@@ -191,7 +191,7 @@ TEST_F(Package, lists_the_conditions_of_both_standards_and_computes_ten_storeys_
   for (const std::string& text : {finished_.out, read_file(out() / "package.html")})
     EXPECT_THAT(text, Not(testing::HasSubstr("too little slip")));
   EXPECT_THAT(finished_.out, states("alpha 20 to 30"));
-  EXPECT_THAT(read_file(out() / "demand.toml"), states("alpha = [20, 30]", "mass_ratio = [0]"));
+  EXPECT_THAT(read_file(out() / "demand.toml"), states("alpha = [20, 30]", "mass_ratio = 0\n"));
   EXPECT_THAT(read_file(out() / "package.html"),
               states("AC156", "uniform cantilever of flexure and shear", "neglected"));
 }

@@ -68,13 +68,16 @@ std::string head_of(const Project& project, const fs::path& folder, const std::s
 }
 
 /// Nothing where the motions are those of its roof.
+/// @param write how ranges are written: as a list or as what lies between
 std::string building_of(const Project& project, const std::vector<double>& periods_s,
-                        const std::string& alpha, const std::string& mass_ratio) {
+                        const std::vector<double>& mass_ratios,
+                        std::string (*write)(const std::vector<double>&)) {
   if (project.of_roof) return "";
+  const std::vector<double>& alpha = project.building.alpha;
   return fmt::format("[building]\nperiod_s = {}\n{}mass_ratio = {}\ndamping = {}\n\n",
                      list_of(periods_s),
-                     project.building.alpha.empty() ? "" : "alpha = " + alpha + "\n", mass_ratio,
-                     project.building.damping);
+                     alpha.empty() ? "" : fmt::format("alpha = {}\n", write(alpha)),
+                     write(mass_ratios), project.building.damping);
 }
 
 /// What both studies compare with is of S_DS, which the motions of a roof do not have.
@@ -99,8 +102,7 @@ std::string demand_study(const Project& project, const fs::path& folder) {
     what.push_back(mu.what);
   }
   return head_of(project, folder, "demand", "displacement demand", {dbe, mce_over_dbe * dbe}) +
-         building_of(project, periods_of(project), list_of(project.building.alpha),
-                     list_of(mass_ratios_of(project))) +
+         building_of(project, periods_of(project), mass_ratios_of(project), list_of) +
          fmt::format(
              "[vertical]\nuse = [\"none\", \"if_available\"]\n\n"
              "[roof]\nslope_deg = {}\n\n"
@@ -122,8 +124,7 @@ std::string probability_study(const Project& project, const fs::path& folder,
                                    ? fmt::format("{{ mean = {}, std = {} }}", mu.mean, mu.std)
                                    : fmt::format("{}", mu.mean);
   return head_of(project, folder, "probability", "probability of exceedance", levels_of(project)) +
-         building_of(project, project.building.period_s, between(project.building.alpha),
-                     between(project.building.mass_ratio)) +
+         building_of(project, project.building.period_s, project.building.mass_ratio, between) +
          fmt::format(
              "[roof]\nslope_deg = {}\n\n"
              "[friction]\nmu = {}\n{}\n"

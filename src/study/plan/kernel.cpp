@@ -57,6 +57,7 @@ double history_us(Kernel kernel, const StudyConfig& config) {
       return 7.0;
     case Kernel::coupled:
     case Kernel::full:
+      if (!config.building.is_one_mass() && c.mass_ratio > 0.0) return 7700.0;
       return config.base_shear || c.yields() || !c.law.is_coulomb() ? 2000.0 : 200.0;
   }
   return 0.0;
