@@ -154,7 +154,7 @@ double shortest_period_s(const StudyConfig& config, const Case& c, double least)
   return shortest_s;
 }
 
-std::optional<std::string> problem_of(const Plan& plan, const Case& c) {
+std::optional<std::string> problem_of(const Plan& plan, const Case& c, double step_s) {
   constexpr double shortest_s = 0.01;
   const bool two_axes = plan.config.two_axes();
   const double shorter_s = c.period_s * (two_axes ? std::min(1.0, c.period_ratio) : 1.0);
@@ -164,7 +164,6 @@ std::optional<std::string> problem_of(const Plan& plan, const Case& c) {
         "periods of {:g} s or more, or leave out the building's strength",
         c.period_s, shortest_s);
   }
-  const double step_s = longest_step_s(plan);
   if (const double mode_s = shortest_period_s(plan.config, c, 2.0 * step_s); mode_s < 2.0 * step_s)
     return fmt::format(
         "a mode of the building has a period of {:.3g} s, below twice the time step of {:g} s of a "
@@ -342,8 +341,9 @@ void check_factors(const Plan& plan) {
 }
 
 void check_cases(const Plan& plan) {
+  const double step_s = longest_step_s(plan);
   for (const Case& c : plan.cases.all()) {
-    if (const auto problem = problem_of(plan, c))
+    if (const auto problem = problem_of(plan, c, step_s))
       throw InputError({plan.config.file.string(), *problem, "", ""});
   }
 }

@@ -128,8 +128,7 @@ std::vector<std::string> notes_on_building(const Plan& plan) {
       plan.config.quantities.at("building", "mass_ratio").is_drawn())
     notes.emplace_back(
         "several modes coupled with the array's mass run by the scalar scheme, some 8 ms a "
-        "history; "
-        "mass_ratio = 0 is 40 times faster and gave larger displacements (study 34)");
+        "history; mass_ratio = 0 is 40 times faster and gave larger displacements (study 34)");
   return notes;
 }
 
