@@ -163,15 +163,6 @@ std::vector<Sensitivity> sensitivity_of(const Project& project, const Results& d
   return std::move(table).rows();
 }
 
-/// Of the motions at DBE; each the geometric mean of its horizontal components.
-double median_peak_g(const Results& demand) {
-  std::vector<double> peaks_g;
-  for (const RecordSummary& r : demand.records)
-    peaks_g.push_back(demand.levels.front() * r.factor_at_unit_level * r.pga_g);
-  std::ranges::sort(peaks_g);
-  return quantile_of(peaks_g, 0.5);
-}
-
 }  // namespace
 
 double required_m(const Project& project, const Results& demand, double friction) {
@@ -183,7 +174,8 @@ double rounded_up(double value, double step) {
   return step * std::ceil(value / step - 1e-9);
 }
 
-DesignClearance design_clearance(const Project& project, const Results& demand) {
+DesignClearance design_clearance(const Project& project, const Results& demand,
+                                 const Suite& suite) {
   constexpr std::size_t levels = 2;  // DBE and MCE
   expect_of_project(demand.clearance && demand.conditions && demand.levels.size() == levels &&
                         demand.suites.size() == 1 &&
@@ -202,7 +194,7 @@ DesignClearance design_clearance(const Project& project, const Results& demand) 
   design.factor = demand.clearance->factor;
   design.of_largest = demand.records.size() < least_records;
   design.analysis_m = required_m(demand, governing);
-  if (project.of_roof) design.peak_roof_g = median_peak_g(demand);
+  design.roof = roof_peaks(project, demand, suite);
   design.demand = largest_demands(project, demand);
   for (const PeriodDemand& d : design.demand)
     design.median_analysis_m =

@@ -7,18 +7,21 @@
 #include <functional>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <numbers>
 
 #include "cli/child.hpp"
 #include "cli/killed_run.hpp"
 #include "cli/shaking.hpp"
 #include "facts.hpp"
 #include "glissade/block/two_axis.hpp"
+#include "glissade/building/modes.hpp"
 #include "glissade/core/error.hpp"
 #include "glissade/core/quantile.hpp"
 #include "glissade/core/units.hpp"
 #include "glissade/design/design_clearance.hpp"
 #include "glissade/io/project_file.hpp"
 #include "glissade/io/results_file.hpp"
+#include "glissade/io/suite_file.hpp"
 
 namespace glissade::test {
 namespace {
@@ -27,6 +30,24 @@ using testing::Not;
 namespace fs = std::filesystem;
 
 const std::string project_file = GLISSADE_SOURCE_DIR "/studies/permit_project.toml";
+
+std::string replaced(std::string text, const std::string& from, const std::string& to) {
+  return text.replace(text.find(from), from.size(), to);
+}
+
+/// The example in another folder, with fewer samples.
+std::string moved_project() {
+  return replaced(replaced(read_file(project_file), "data/pull_tests.csv",
+                           GLISSADE_SOURCE_DIR "/studies/data/pull_tests.csv"),
+                  "[suite]\nfile = \"../suites/",
+                  "[sampling]\nsamples = 16\n[suite]\nfile = \"" GLISSADE_SOURCE_DIR "/suites/");
+}
+
+std::map<std::string, bool> checks_in(const nlohmann::json& json) {
+  std::map<std::string, bool> met;
+  for (const auto& check : json.at("checks")) met[check.at("check")] = check.at("is_met");
+  return met;
+}
 
 /// The example project, run once.
 class Package : public testing::Test {
@@ -106,6 +127,72 @@ TEST_F(Package, analysis_is_1_1_times_the_largest_mean_of_the_histories) {
   }
   EXPECT_GT(largest_m, 0.0);
   EXPECT_NEAR(numbers().at("analysis_m"), 1.1 * largest_m, 1e-12);
+}
+
+/// Peak acceleration of a roof of these modes, 5 % damped: linear acceleration (Newmark, beta 1/6),
+/// 64 steps for each of the record.
+double roof_peak_mps2(const std::vector<Mode>& modes, double dt_s, const Samples& ground) {
+  constexpr int parts = 64;
+  const double h = dt_s / parts;
+  struct State {
+    double u = 0.0, v = 0.0, a = 0.0;
+  };
+  std::vector<State> states(modes.size());
+  double peak = 0.0;
+  for (std::size_t i = 0; i + 1 < ground.size(); ++i)
+    for (int part = 1; part <= parts; ++part) {
+      const double a_g = std::lerp(ground[i], ground[i + 1], part / double{parts});
+      double roof = a_g;
+      for (std::size_t n = 0; n < modes.size(); ++n) {
+        const double w = 2.0 * std::numbers::pi / modes[n].period_s, c = 0.1 * w;
+        auto& [u, v, a] = states[n];
+        const double u_predicted = u + h * v + h * h * a / 3.0, v_predicted = v + h * a / 2.0;
+        a = -(a_g + c * v_predicted + w * w * u_predicted) /
+            (1.0 + c * h / 2.0 + w * w * h * h / 6.0);
+        u = u_predicted + h * h * a / 6.0;
+        v = v_predicted + h * a / 2.0;
+        roof += modes[n].participation * a;
+      }
+      peak = std::max(peak, std::abs(roof));
+    }
+  return peak;
+}
+
+// The median over the records of the geometric mean of both axes.
+TEST_F(Package, prints_the_peak_acceleration_of_the_roof_beside_both_editions) {
+  const Project project = read_project(project_file);
+  const Suite suite = load_suite(project.suite);
+  const Results demand = read_results(out() / "demand/results.h5");
+  const nlohmann::json json = numbers(), &roof = json.at("roof_acceleration").at(0);
+  const double period_s = roof.at("period_s"), sds_g = json.at("sds_g");
+  std::vector<Mode> all = cantilever_modes(period_s, project.building.alpha.front(), most_modes);
+  const std::vector<Mode> modes = governing_modes(all);
+  std::vector<double> peaks_g;
+  for (std::size_t i = 0; i < suite.motions.size(); ++i) {
+    const Motion& motion = suite.motions[i];
+    double product = 1.0;
+    for (const Samples& component : motion.horizontal_mps2)
+      product *= roof_peak_mps2(modes, motion.dt_s, component) / standard_gravity_mps2;
+    peaks_g.push_back(sds_g * demand.records[i].factor_at_unit_level * std::sqrt(product));
+  }
+  EXPECT_NEAR(roof.at("median_g"), quantile_of(peaks_g, 0.5), 0.01 * quantile_of(peaks_g, 0.5));
+  EXPECT_NEAR(roof.at("p84_g"), quantile_of(peaks_g, 0.84), 0.01 * quantile_of(peaks_g, 0.84));
+  EXPECT_NEAR(roof.at("asce7_16_g"), 1.2 * sds_g, 1e-12);
+  const double hf =
+      1.0 + std::min(1.0 / period_s, 2.5) + std::max(1.0 - 0.16 / (period_s * period_s), 0.0);
+  EXPECT_NEAR(roof.at("asce7_22_g"), 0.4 * sds_g * hf, 1e-12);
+  EXPECT_EQ(json.at("roof_acceleration").size(), 10u);  // five periods, both ends of alpha
+  EXPECT_THAT(finished_.out, states("Roof peak", "ASCE 7-16", "7-22"));
+}
+
+// A long period on one mass: its roof moves far less than the standards have.
+TEST_F(Package, warns_of_a_roof_below_half_of_the_standards) {
+  std::string text = replaced(moved_project(), "storeys = 10", "storeys = 1");
+  const Finished child = run_program(
+      {"clearance", folder_->write("soft.toml", text), "--out", folder_->path("soft").string()});
+  EXPECT_THAT(one_line(child.out), states("peak acceleration of the roof", "7-22"));
+  const auto json = nlohmann::json::parse(read_file(folder_->path("soft/package.json")));
+  EXPECT_FALSE(checks_in(json).at("median peak acceleration of the roof at DBE"));
 }
 
 // One trial a record and none exceeding: 1 - 0.025^(1/7), Clopper & Pearson.
@@ -210,18 +297,6 @@ TEST_F(Package, says_which_key_gives_annual_rates_and_the_displacement_that_adds
   EXPECT_FALSE(numbers().contains("annual_rate"));
 }
 
-std::string replaced(std::string text, const std::string& from, const std::string& to) {
-  return text.replace(text.find(from), from.size(), to);
-}
-
-/// The example in another folder, with fewer samples.
-std::string moved_project() {
-  return replaced(replaced(read_file(project_file), "data/pull_tests.csv",
-                           GLISSADE_SOURCE_DIR "/studies/data/pull_tests.csv"),
-                  "[suite]\nfile = \"../suites/",
-                  "[sampling]\nsamples = 16\n[suite]\nfile = \"" GLISSADE_SOURCE_DIR "/suites/");
-}
-
 TEST_F(Package, of_a_hazard_curve_has_annual_rates_and_the_displacement_that_adds_up) {
   const fs::path other = folder_->path("hazard");
   const std::string text = replaced(moved_project(), "[clearances]",
@@ -235,12 +310,6 @@ TEST_F(Package, of_a_hazard_curve_has_annual_rates_and_the_displacement_that_add
   const auto json = nlohmann::json::parse(read_file(other / "package.json"));
   ASSERT_EQ(json.at("annual_rate").size(), 5u);  // by period
   for (const auto& rate : json.at("annual_rate")) EXPECT_GT(rate.get<double>(), 0.0);
-}
-
-std::map<std::string, bool> checks_in(const nlohmann::json& json) {
-  std::map<std::string, bool> met;
-  for (const auto& check : json.at("checks")) met[check.at("check")] = check.at("is_met");
-  return met;
 }
 
 TEST_F(Package, a_page_holds_text_as_text_and_few_tests_and_a_peer_review_are_warned_of) {
@@ -364,21 +433,22 @@ TEST_F(Package, is_made_of_finished_studies_of_its_own_project_only) {
 
 TEST_F(Package, results_without_what_the_project_looks_for_are_an_error_of_the_input) {
   const Project project = read_project(project_file);
+  const Suite suite = load_suite(project.suite);
   const Results demand = read_results(out() / "demand/results.h5"),
                 probability = read_results(out() / "probability/results.h5");
-  EXPECT_THROW(design_clearance(project, probability), InputError);
+  EXPECT_THROW(design_clearance(project, probability, suite), InputError);
   Project other = project;
   other.friction.mean += 0.01;
-  EXPECT_THROW(design_clearance(other, demand), InputError);
+  EXPECT_THROW(design_clearance(other, demand, suite), InputError);
   for (const auto& change : std::vector<std::function<void(Results&)>>{
            [](Results& r) { r.levels.pop_back(); }, [](Results& r) { r.suites.clear(); },
            [](Results& r) { r.suites.front().spectra.target_g.clear(); },
            [](Results& r) { r.conditions->first_case.assign(1, 0); }}) {
     Results changed = demand;
     change(changed);
-    EXPECT_THROW(design_clearance(project, changed), InputError);
+    EXPECT_THROW(design_clearance(project, changed, suite), InputError);
   }
-  const DesignClearance design = design_clearance(project, demand);
+  const DesignClearance design = design_clearance(project, demand, suite);
   for (const auto& change : std::vector<std::function<void(Results&)>>{
            [](Results& r) { r.runs.clear(); }, [](Results& r) { r.verdict.reset(); },
            [](Results& r) { r.levels.assign(r.levels.size(), 0.0); },
@@ -551,6 +621,17 @@ TEST_F(RoofPackage, is_that_of_an_array_on_the_motions_themselves) {
   EXPECT_EQ(json.at("governing_m"),
             std::max(json.at("analysis_m").get<double>(), json.at("least_value_m").get<double>()));
   EXPECT_EQ(json.at("motions"), "roof");
+  std::vector<double> peaks_g;
+  for (int record = 0; record < records; ++record) {
+    const auto a_g = components_g(record);
+    double product = 1.0;
+    for (std::size_t axis = 0; axis < 2; ++axis)
+      product *= std::abs(
+          *std::ranges::max_element(a_g.at(axis), {}, [](double a) { return std::abs(a); }));
+    peaks_g.push_back(factor * std::sqrt(product));
+  }
+  ASSERT_EQ(json.at("roof_acceleration").size(), 1u);
+  EXPECT_NEAR(json.at("roof_acceleration").at(0).at("median_g"), quantile_of(peaks_g, 0.5), 1e-9);
   EXPECT_EQ(json.at("exceedance").at(1).at("factor"), 1.5 * factor);  // MCE
   for (const char* absent : {"period_s", "mass_ratio"}) EXPECT_FALSE(json.contains(absent));
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "glissade/design/project.hpp"
+#include "glissade/motion/motion.hpp"
 #include "glissade/standards/conditions.hpp"
 #include "glissade/study/results.hpp"
 
@@ -95,12 +96,26 @@ struct DesignCheck {
   bool is_met = false;
 };
 
+/// Peak acceleration of the roof at DBE, without the array, over the records: of each the geometric
+/// mean of both horizontal axes. Beside it what the standards have for a floor there.
+struct RoofPeak {
+  double period_s = 0.0, alpha = 0.0;  ///< 0: the motions are those of the roof
+  double median_g = 0.0, p84_g = 0.0;
+  double asce7_16_g = 0.0;
+  std::optional<double> asce7_22_g;  ///< none: no period of a building is known
+
+  /// The lowest ratio of the median to a standard's.
+  double over_standards() const;
+};
+/// By period and alpha of the building; of motions of a roof one. `suite`: the motions of `demand`.
+std::vector<RoofPeak> roof_peaks(const Project& project, const Results& demand, const Suite& suite);
+
 struct DesignClearance {
   SiteValues site;
   double slope_deg = 0.0, mass_ratio = 0.0, period_s = 0.0, alpha = 0.0;  ///< of the governing case
   VerticalChoice vertical = VerticalChoice::if_available;                 ///< likewise
   std::vector<PeriodDemand> demand;                                       ///< by period
-  double peak_roof_g = 0.0;  ///< of the motions of a roof at DBE, their median
+  std::vector<RoofPeak> roof;
   double factor = 1.1;
   bool of_largest = false;  ///< fewer than 7 records: the largest counts in place of the mean
   double analysis_m = 0.0;  ///< factor x the largest mean over orientations and periods
@@ -121,11 +136,11 @@ struct DesignClearance {
   std::vector<std::string> warnings;
 };
 
-/// `demand`: the results of demand_study(). The rule after Walters et al. (2012), with the largest
-/// of the orientations in place of their median; with or without vertical motion, whichever is
-/// larger. With fewer than 7 records the largest record counts in place of the mean (SEAOC
-/// PV1-2012, recalled).
-DesignClearance design_clearance(const Project& project, const Results& demand);
+/// `demand`: the results of demand_study(), of the motions of `suite`. The rule after Walters et
+/// al. (2012), with the largest of the orientations in place of their median; with or without
+/// vertical motion, whichever is larger. With fewer than 7 records the largest record counts in
+/// place of the mean (SEAOC PV1-2012, recalled).
+DesignClearance design_clearance(const Project& project, const Results& demand, const Suite& suite);
 
 /// The prescriptive value of the project's standard.
 const PrescribedValue& of_standard(const Project& project, const DesignClearance& design);

@@ -52,6 +52,16 @@ CalculationJson json_of(const ExceedanceAt& e, bool of_roof) {
   return json;
 }
 
+CalculationJson json_of(const RoofPeak& roof) {
+  CalculationJson json = CalculationJson::object();
+  if (roof.period_s > 0.0) json["period_s"] = roof.period_s;
+  if (roof.alpha > 0.0) json["alpha"] = roof.alpha;
+  json.update(
+      {{"median_g", roof.median_g}, {"p84_g", roof.p84_g}, {"asce7_16_g", roof.asce7_16_g}});
+  if (roof.asce7_22_g) json["asce7_22_g"] = *roof.asce7_22_g;
+  return json;
+}
+
 CalculationJson prescribed_json(const PrescribedValue& value) {
   const bool is_asce = value.standard == Standard::asce7_16;
   CalculationJson json{{"standard", is_asce ? "asce7_16" : "seaoc_pv1_2012"},
@@ -71,9 +81,7 @@ std::string numbers_json(const CalculationPackage& package) {
                        {"slope_deg", design.slope_deg}};
   const bool of_roof = package.project.of_roof;
   if (of_roof)
-    json.update({{"motions", "roof"},
-                 {"factor", package.project.roof_factor},
-                 {"peak_roof_acceleration_g", design.peak_roof_g}});
+    json.update({{"motions", "roof"}, {"factor", package.project.roof_factor}});
   else
     json.update({{"mass_ratio", design.mass_ratio}, {"period_s", design.period_s}});
   if (!package.project.building.alpha.empty()) json["alpha"] = design.alpha;
@@ -87,6 +95,7 @@ std::string numbers_json(const CalculationPackage& package) {
     row.update(
         {{"mean_m", d.mean_m}, {"p84_m", d.p84_m}, {"p95_m", d.p95_m}, {"largest_m", d.largest_m}});
   }
+  for (const RoofPeak& roof : design.roof) json["roof_acceleration"].push_back(json_of(roof));
   for (const Sensitivity& s : design.sensitivity)
     json["sensitivity"].push_back(
         {{"input", s.what}, {"value", s.value}, {"required_m", s.clearance_m}});

@@ -120,7 +120,7 @@ class Calculation {
       study.run(out_ / "demand.toml", [&] { return demand_study(*project_, out_); });
       on_root(world_, [&] {
         demand_ = read_results(out_ / "demand" / "results.h5");
-        design_ = design_clearance(*project_, *demand_);
+        design_ = design_clearance(*project_, *demand_, load_suite(project_->suite));
       });
       study.run(out_ / "probability.toml", [&] {
         return probability_study(*project_, out_,

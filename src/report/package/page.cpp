@@ -160,10 +160,10 @@ Html roof_motions_html(const CalculationPackage& package) {
              "a design spectrum. At DBE each is multiplied by {:g} (and by its scale in the "
              "suite), "
              "at MCE by 1.5 times that: a building that yields would have other motions there. "
-             "The median of their peaks at DBE is {:.3f} g. The orientations swap and mirror the "
+             "The orientations swap and mirror the "
              "components: slopes along either axis of the building, in either direction.",
              suite.name, suite.description.empty() ? "" : ": " + suite.description,
-             package.project.roof_factor, package.design.peak_roof_g)) +
+             package.project.roof_factor)) +
          page_table(motions_table(package)) + page_table(scaled_motions_table(package));
 }
 
@@ -285,6 +285,7 @@ Html required_html(const CalculationPackage& package) {
 
 Html checks_html(const CalculationPackage& package) {
   return section_heading(8) + page_table(checks_table(package)) +
+         page_table(roof_accelerations_table(package)) +
          paragraph(fmt::format(
              "The solver of glissade {} is verified against closed forms, solutions with 50 digits "
              "and both published papers; every comparison is in its verification manual "
@@ -368,7 +369,8 @@ void write_package(const CalculationPackage& package, const std::filesystem::pat
                             conditions_table(facts_of(package.project, package.design.site)),
                             exceedance_table(package),
                             compared_table(package),
-                            checks_table(package)};
+                            checks_table(package),
+                            roof_accelerations_table(package)};
   for (Table& table : given_curves(package.project)) tables.push_back(std::move(table));
   const std::vector<DrawnFigure> figures = write_parts(
       {"package.html", std::move(tables), package_figures(package)}, out_dir, overwrite);

@@ -18,6 +18,14 @@ std::string line(const std::string& label, const std::string& value) {
   return fmt::format("{:<11}{}\n", label, value);
 }
 
+/// Of the building that is nearest to half of what the standards have.
+std::string roof_acceleration_text(const DesignClearance& design) {
+  const RoofPeak& roof = *std::ranges::min_element(design.roof, {}, &RoofPeak::over_standards);
+  return fmt::format("median {:.2f} g, 84th {:.2f} g at DBE; ASCE 7-16 {:.2f} g{}", roof.median_g,
+                     roof.p84_g, roof.asce7_16_g,
+                     roof.asce7_22_g ? fmt::format(", 7-22 {:.2f} g", *roof.asce7_22_g) : "");
+}
+
 std::string inputs_lines(const CalculationPackage& package) {
   const Project& p = package.project;
   const SiteValues& site = package.design.site;
@@ -36,13 +44,13 @@ std::string inputs_lines(const CalculationPackage& package) {
          line("Roof", fmt::format("slope {}; friction {:.3f}, std {:.3f}, design {:.3f}",
                                   range_text(p.slope_deg, " deg"), p.friction.mean, p.friction.std,
                                   p.friction.design())) +
-         line("Motions",
-              p.of_roof ? fmt::format("{} records of the roof, factor {:g}, median peak {:.3g} g",
-                                      package.demand.records.size(), p.roof_factor,
-                                      package.design.peak_roof_g)
-                        : fmt::format("{} records, {:.2f} to {:.2f} times the design spectrum",
-                                      package.demand.records.size(), ratios.lowest.ratio,
-                                      ratios.highest.ratio));
+         line("Motions", p.of_roof
+                             ? fmt::format("{} records of the roof, factor {:g}",
+                                           package.demand.records.size(), p.roof_factor)
+                             : fmt::format("{} records, {:.2f} to {:.2f} times the design spectrum",
+                                           package.demand.records.size(), ratios.lowest.ratio,
+                                           ratios.highest.ratio)) +
+         line("Roof peak", roof_acceleration_text(package.design));
 }
 
 std::string demand_lines(const CalculationPackage& package) {

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <tuple>
 
 #include "analysis/hazard/hazard.hpp"
 #include "glissade/core/units.hpp"
@@ -472,6 +473,34 @@ Table compared_table(const CalculationPackage& package) {
                       : "Each number is that of the building period where it is largest. ") +
       accepted_sentence(design) + ".");
   return table;
+}
+
+Table roof_accelerations_table(const CalculationPackage& package) {
+  Table table{"roof_accelerations",
+              "Peak acceleration of the roof at DBE, computed and by the standards",
+              {text_column("period", "Building period"), text_column("alpha", "alpha"),
+               text_column("median", "Median, g"), text_column("p84", "84th percentile, g"),
+               text_column("asce7_16", "ASCE 7-16, 13.3-1, g"),
+               text_column("asce7_22", "ASCE 7-22, H_f, g"),
+               text_column("ratio", "Median over the larger")},
+              {}};
+  const auto& [of_roof, building] = std::tie(package.project.of_roof, package.project.building);
+  for (const RoofPeak& roof : package.design.roof)
+    table.add({fmt::format("{:.3g} s", roof.period_s), fmt::format("{:.3g}", roof.alpha),
+               fmt::format("{:.3f}", roof.median_g), fmt::format("{:.3f}", roof.p84_g),
+               fmt::format("{:.3f}", roof.asce7_16_g),
+               roof.asce7_22_g ? fmt::format("{:.3f}", *roof.asce7_22_g) : std::string("-"),
+               fmt::format("{:.2f}", roof.over_standards())});
+  table.notes.push_back(fmt::format(
+      "Computed: over {} records, of each the geometric mean of both horizontal axes{}. ASCE 7-16: "
+      "0.4 S_DS (1 + 2 z/h) with z/h = 1.",
+      package.demand.records.size(), of_roof ? "" : ", without the array"));
+  if (of_roof) return table.without("period").without("alpha").without("asce7_22");
+  table.notes.push_back(
+      "ASCE 7-22: 0.4 S_DS H_f, H_f = 1 + a_1 + a_2, a_1 = 1/T, 2.5 at most, a_2 = 1 - (0.4 "
+      "s/T)^2, "
+      "0 at least; T, the building period, for T_a.");
+  return building.alpha.empty() ? table.without("alpha") : table;
 }
 
 Table checks_table(const CalculationPackage& package) {

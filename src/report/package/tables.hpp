@@ -29,6 +29,8 @@ Table exceedance_table(const CalculationPackage& package);
 Table compared_table(const CalculationPackage& package);
 /// "10 % of the histories at the DBE exceed 8.2 in (95 % interval 3.1 in to 12.0 in)".
 std::string accepted_sentence(const DesignClearance& design);
+/// Of the roof, computed and by the standards.
+Table roof_accelerations_table(const CalculationPackage& package);
 Table checks_table(const CalculationPackage& package);
 
 /// Those of the calculation that do not stand beside its verdict, as reservations.
