@@ -15,7 +15,8 @@ void add_slide(CLI::App& program);
 void add_fit(CLI::App& program);
 void add_friction(CLI::App& program);
 void add_suite(CLI::App& program);
-void add_suite_select(CLI::App& suite);  // called by add_suite
+void add_suite_import(CLI::App& suite);  // called by add_suite
+void add_suite_select(CLI::App& suite);  // likewise
 void add_standards(CLI::App& program);
 void add_building(CLI::App& program);
 void add_report(CLI::App& program);

@@ -26,6 +26,11 @@ inline std::string json_text(const nlohmann::ordered_json& json) {
   return json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
 }
 
+/// 0, not given, becomes null.
+inline nlohmann::ordered_json or_null(double value) {
+  return value > 0.0 ? nlohmann::ordered_json(value) : nlohmann::ordered_json();
+}
+
 inline void put_json(const nlohmann::ordered_json& json) { put_text(json_text(json)); }
 
 }  // namespace glissade::cli

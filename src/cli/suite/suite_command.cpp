@@ -20,6 +20,7 @@
 #include "glissade/report/table.hpp"
 #include "output_rule.hpp"
 #include "put.hpp"
+#include "suite/import_output.hpp"
 #include "suite/motions_table.hpp"
 
 namespace glissade::cli {
@@ -32,6 +33,7 @@ struct SuiteOptions {
   int level = 2;
   std::uint64_t seed = 20260101;
   bool overwrite = false;
+  MissingOptions missing;
 };
 
 /// To the file named by --out, else to standard output.
@@ -57,7 +59,31 @@ const DesignTarget& target_of(const Suite& suite, const std::string& file) {
 
 void warn(const std::string& text) { put("{}\n", wrapped("WARNING: " + text, terminal_width, 0)); }
 
+void deliver_table(const SuiteOptions& o, const Table& table, const char* what) {
+  put("{}", to_text(table));
+  if (o.out.empty()) {
+    put("{}: --out FILE.csv\n", what);
+  } else {
+    write_text_file(o.out, to_csv(table));
+    put("Table   {}\n", o.out);
+  }
+}
+
+/// The components of a record file, or of all below a folder.
+void show_files(const SuiteOptions& o) {
+  const SuiteImport found = import_suite(
+      {.inputs = {o.suite}, .report = {}, .missing = o.missing.of_files(), .keep_single = true});
+  if (found.components.empty() && found.left_out.size() == 1)
+    throw InputError({found.left_out.front().what, found.left_out.front().reason, "", ""});
+  deliver_table(o, components_table(found), "Event, station, magnitude and notes of each");
+  put_warnings(found);
+  put_left_out(found);
+  put("{} records: glissade suite import {} --out SUITE.toml\n", found.records.size(),
+      quoted_for_shell(o.suite));
+}
+
 void show(const SuiteOptions& o) {
+  if (!is_suite_file(o.suite)) return show_files(o);
   const Suite suite = load_suite(o.suite);
   put("{}\n", wrapped(suite.name + ": " + suite.description, terminal_width, 0));
   if (suite.target) {
@@ -82,14 +108,7 @@ void show(const SuiteOptions& o) {
     for (const std::string& note : notes_on(motion))
       put("{}\n", wrapped("note  " + motion.id + ": " + note, terminal_width, 6));
   }
-  const Table table = motions_table(suite);
-  put("{}", to_text(table));
-  if (o.out.empty()) {
-    put("Each component, earthquake and station: --out FILE.csv\n");
-  } else {
-    write_text_file(o.out, to_csv(table));
-    put("Table   {}\n", o.out);
-  }
+  deliver_table(o, motions_table(suite), "Each component, earthquake and station");
 }
 
 void spectra(const SuiteOptions& o) {
@@ -163,8 +182,8 @@ void design(const SuiteOptions& o) {
 
 void add_suite(CLI::App& program) {
   auto o = std::make_shared<SuiteOptions>();
-  CLI::App* command =
-      program.add_subcommand("suite", "Show, scale, design or select a ground-motion suite");
+  CLI::App* command = program.add_subcommand(
+      "suite", "Import, show, scale, design or select a ground-motion suite");
   command->require_subcommand(1);
   const auto verb = [&](const char* name, const char* what, auto act) {
     CLI::App* sub = command->add_subcommand(name, what);
@@ -177,8 +196,11 @@ void add_suite(CLI::App& program) {
   const auto takes_suite = [&](CLI::App* sub) {
     sub->add_option("suite", o->suite, "suite file (TOML); see suites/")->required();
   };
-  CLI::App* show_verb = verb("show", "List the motions", show);
-  takes_suite(show_verb);
+  CLI::App* show_verb =
+      verb("show", "List the motions of a suite, or the components of record files", show);
+  show_verb->add_option("suite", o->suite, "suite file (TOML), record file, or folder of them")
+      ->required();
+  o->missing.add_to(*show_verb);
   show_verb->add_option("--out", o->out, "new CSV file with each component [none is written]");
   add_overwrite(*show_verb, o->overwrite);
   CLI::App* spectra_verb = verb("spectra", "Response spectra as CSV", spectra);
@@ -199,6 +221,7 @@ void add_suite(CLI::App& program) {
   design_verb->add_option("--seed", o->seed, "seed of the simulation");
   design_verb->add_option("--out", o->out, "file [standard output]");
   add_overwrite(*design_verb, o->overwrite);
+  add_suite_import(*command);
   add_suite_select(*command);
 }
 

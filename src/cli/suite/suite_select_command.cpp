@@ -223,9 +223,6 @@ void print(const Suite& library, const Task& task, const RecordSelection& s) {
   }
 }
 
-/// 0, not given, becomes null.
-Json or_null(double value) { return value > 0.0 ? Json(value) : Json(); }
-
 Json to_json(const RatioAtPeriod& r) { return {{"ratio", r.ratio}, {"period_s", r.period_s}}; }
 
 Json to_json(const Suite& library, const Task& task, const RecordSelection& s) {

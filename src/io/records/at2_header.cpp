@@ -148,11 +148,15 @@ void check_at2_count(const std::filesystem::path& file, const At2Header& header,
 std::optional<At2Header> find_at2_header(std::string_view text) {
   At2Header header;
   LineReader reader(text);
-  bool is_nga = false;
+  bool is_nga = false, is_peer = false;
   while (reader.next() && reader.number() <= longest_header) {
-    if (reader.number() == 1) is_nga = reader.line().starts_with("PEER NGA");
-    if (reader.number() == 2 && is_nga && printable_name(reader.line()) == reader.line())
-      header.source = trimmed(reader.line().substr(0, longest_header_line));
+    if (reader.number() == 1) {
+      is_nga = reader.line().starts_with("PEER NGA");
+      is_peer = reader.line().starts_with("PEER ") || reader.line().starts_with("PACIFIC ENG");
+    } else if (reader.number() == 2 && is_peer) {
+      header.title = trimmed(reader.line().substr(0, longest_header_line));
+      if (is_nga && printable_name(header.title) == header.title) header.source = header.title;
+    }
     const bool has_count = read_header_line(reader.line(), reader.number(), header);
     if (has_count && !trimmed(reader.line()).starts_with('#')) return header;
   }

@@ -19,7 +19,8 @@ struct At2Header {
   std::optional<double> dt_s;         ///< nothing: absent or no number
   std::size_t units_line = 0;         ///< 0: no units stated
   std::string units;                  ///< lower case: "g", "cm/s" ...
-  std::string source;                 ///< of the second line; empty: not of PEER's NGA files
+  std::string title;                  ///< the second line; empty: not of PEER's files
+  std::string source;                 ///< the same; empty: not of PEER's NGA files
 };
 
 /// The header of a PEER file, if one of the first lines holds NPTS: `NPTS=  5590, DT=   .0100 SEC,`

@@ -1,7 +1,44 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "records/record_entry.hpp"
 
+#include <fmt/format.h>
+
+#include "toml/toml_text.hpp"
+
 namespace glissade {
+namespace {
+
+std::string component_toml(const ComponentEntry& component) {
+  std::string more;
+  const RecordFileOptions& options = component.options;
+  if (options.dt_s) more += fmt::format(", dt_s = {}", *options.dt_s);
+  if (component.start_s > 0.0) more += fmt::format(", start_s = {}", component.start_s);
+  if (options.units) more += fmt::format(", units = {}", quoted(to_string(*options.units)));
+  if (options.counts_per_unit)
+    more += fmt::format(", counts_per_unit = {}", *options.counts_per_unit);
+  if (!component.sha256.empty()) more += ", sha256 = " + quoted(component.sha256);
+  return more.empty() ? quoted(component.file)
+                      : fmt::format("{{ file = {}{} }}", quoted(component.file), more);
+}
+
+/// The line of a key, if it is given.
+std::string line(const char* key, const std::string& text) {
+  return text.empty() ? "" : fmt::format("{} = {}\n", key, quoted(text));
+}
+std::string line(const char* key, double value) {
+  return value > 0.0 ? fmt::format("{} = {}\n", key, value) : "";
+}
+
+/// FIPS 180-4, 64 hexadecimal digits.
+std::string read_sha256(const TomlTable& table) {
+  const std::string text = table.text("sha256").value_or("");
+  if (!text.empty() &&
+      (text.size() != 64 || text.find_first_not_of("0123456789abcdef") != std::string::npos))
+    table.report("sha256", "sha256 is not 64 digits 0-9, a-f", "take that of sha256sum FILE");
+  return text;
+}
+
+}  // namespace
 
 std::optional<AccelerationUnits> read_units(const TomlTable& table) {
   return table.choice<AccelerationUnits>("units", {{"g", AccelerationUnits::g},
@@ -23,11 +60,13 @@ std::optional<ComponentEntry> read_component_entry(const TomlTable& record, cons
   entry.options.dt_s = table.number("dt_s", above_zero);
   entry.options.units = read_units(table);
   entry.options.counts_per_unit = table.number("counts_per_unit", above_zero);
+  entry.sha256 = read_sha256(table);
   return entry;
 }
 
-Motion read_metadata(const TomlTable& record) {
-  Motion motion;
+RecordEntry read_record_entry(const TomlTable& record) {
+  RecordEntry entry;
+  Motion& motion = entry.metadata;
   motion.id = record.required_text("id");
   motion.event = record.text("event").value_or("");
   motion.station = record.text("station").value_or("");
@@ -37,7 +76,35 @@ Motion read_metadata(const TomlTable& record) {
   motion.distance_km = record.number("distance_km", not_negative).value_or(0.0);
   motion.vs30_mps = record.number("vs30_mps", above_zero).value_or(0.0);
   motion.scale = record.number("scale", above_zero).value_or(1.0);
-  return motion;
+  entry.step_s = record.number("step_s", above_zero);
+  entry.end_s = record.number("end_s", above_zero);
+  entry.magnitude_kind = record.text("magnitude_kind").value_or("");
+  if (motion.magnitude > 0.0 && !entry.magnitude_kind.empty() && entry.magnitude_kind != "Mw")
+    motion.notes.push_back(fmt::format("its magnitude, {:g}, is {}, no moment magnitude",
+                                       motion.magnitude, entry.magnitude_kind));
+  entry.distance_kind = record
+                            .choice<const char*>("distance_kind", {{"rupture", ""},
+                                                                   {"joyner_boore", "joyner_boore"},
+                                                                   {"epicentral", "epicentral"}})
+                            .value_or("");
+  if (motion.distance_km > 0.0 && !entry.distance_kind.empty())
+    motion.notes.push_back(fmt::format(
+        "its distance, {:g} km, is {}, not that to the rupture", motion.distance_km,
+        entry.distance_kind == "epicentral" ? "epicentral" : "that of Joyner and Boore"));
+  return entry;
+}
+
+std::string record_toml(const RecordEntry& entry) {
+  const Motion& m = entry.metadata;
+  std::string text =
+      "\n[[record]]\n" + line("id", m.id) + line("event", m.event) + line("station", m.station) +
+      line("magnitude", m.magnitude) + line("magnitude_kind", entry.magnitude_kind) +
+      line("distance_km", m.distance_km) + line("distance_kind", entry.distance_kind) +
+      line("vs30_mps", m.vs30_mps) + line("scale", m.scale) +
+      line("step_s", entry.step_s.value_or(0.0)) + line("end_s", entry.end_s.value_or(0.0));
+  for (const auto& [key, component] : entry.components)  // first, second, vertical
+    text += fmt::format("{} = {}\n", key, component_toml(component));
+  return text;
 }
 
 }  // namespace glissade

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <map>
 #include <optional>
 #include <string>
 
@@ -15,6 +16,16 @@ struct ComponentEntry {
   std::string file;  ///< with #component, as written
   double start_s = 0.0;
   RecordFileOptions options;
+  std::string sha256 = {};  ///< of the file as it was when the suite was made; empty: any
+};
+
+/// A [[record]].
+struct RecordEntry {
+  Motion metadata;                      ///< without samples
+  std::string magnitude_kind;           ///< "Mw", "ML" ...; empty: moment magnitude
+  std::string distance_kind;            ///< "joyner_boore", "epicentral"; empty: to the rupture
+  std::optional<double> step_s, end_s;  ///< of its components, changed where they differ
+  std::map<std::string, ComponentEntry> components;  ///< by key
 };
 
 /// The units that a table states by the key `units`.
@@ -24,7 +35,11 @@ std::optional<AccelerationUnits> read_units(const TomlTable& table);
 /// is absent.
 std::optional<ComponentEntry> read_component_entry(const TomlTable& record, const char* key);
 
-/// What a [[record]] states of its motion besides the samples.
-Motion read_metadata(const TomlTable& record);
+/// What a [[record]] states, without its components. A magnitude or distance of another kind than
+/// expected is a note of the motion.
+RecordEntry read_record_entry(const TomlTable& record);
+
+/// A [[record]], with all that is stated; numbers are exact.
+std::string record_toml(const RecordEntry& entry);
 
 }  // namespace glissade

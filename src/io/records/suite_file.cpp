@@ -11,6 +11,9 @@
 
 #include "glissade/core/error.hpp"
 #include "glissade/io/record_file.hpp"
+#include "glissade/io/sha256.hpp"
+#include "glissade/motion/record_edit.hpp"
+#include "glissade/motion/sample_faults.hpp"
 #include "records/record_entry.hpp"
 #include "records/record_finder.hpp"
 #include "study/target_table.hpp"
@@ -42,6 +45,29 @@ void check_ids(const std::vector<TomlTable>& tables) {
   }
 }
 
+/// A component with the step and the end that its record states.
+Record edited(Record component, double start_s, const RecordEntry& entry) {
+  if (entry.step_s) component = resampled(std::move(component), *entry.step_s);
+  if (entry.end_s) component = ended_at(std::move(component), *entry.end_s - start_s);
+  return component;
+}
+
+/// Of the sources of its components, and of their samples.
+std::vector<std::string> contradictions(const TimedRecord& first,
+                                        const std::optional<TimedRecord>& second,
+                                        const std::optional<TimedRecord>& vertical) {
+  std::vector<std::string> found = source_contradictions(first, second, vertical);
+  const auto add_faults = [&](const char* name, const Record& record) {
+    const Samples& a = record.acceleration_mps2;
+    for (const std::string& fault : sample_faults({a.data(), a.size()}))
+      found.push_back(fmt::format("{} component: {}", name, fault));
+  };
+  add_faults("first", first.record);
+  if (second) add_faults("second", second->record);
+  if (vertical) add_faults("vertical", vertical->record);
+  return found;
+}
+
 /// Of all components of a suite's motions together, 0.8 GB: 1,000 records of three components of
 /// 160 s at 0.005 s.
 constexpr std::size_t most_suite_samples = 100'000'000;
@@ -57,15 +83,16 @@ class RecordedSuiteReader {
 
   void read(const TomlTable& record, Suite& suite) {
     const std::size_t problems_before = record.problem_count();
-    Motion metadata = read_metadata(record);
+    const RecordEntry entry = read_record_entry(record);
     if (!record.has("first"))
       record.report_missing("first", "name the file of the first horizontal component");
-    const auto first = load(record, "first");
-    const auto second = load(record, "second");
-    const auto vertical = load(record, "vertical");
+    const auto first = load(record, "first", entry);
+    const auto second = load(record, "second", entry);
+    const auto vertical = load(record, "vertical", entry);
     if (!first || record.problem_count() > problems_before) return;
     try {
-      metadata.contradictions = source_contradictions(*first, second, vertical);
+      Motion metadata = entry.metadata;
+      metadata.contradictions = contradictions(*first, second, vertical);
       suite.motions.push_back(assemble_motion(std::move(metadata), *first, second, vertical));
     } catch (const InputError& error) {
       return record.report("", error);
@@ -136,7 +163,21 @@ class RecordedSuiteReader {
     return found->second;
   }
 
-  std::optional<TimedRecord> load(const TomlTable& record, const char* key) {
+  /// Reports a file whose bytes are not those that the suite was made with.
+  void check_sha256(const std::filesystem::path& path, const ComponentEntry& entry,
+                    const TomlTable& record, const char* key) const {
+    if (entry.sha256.empty()) return;
+    const std::string found = sha256_of_file(path);
+    if (found == entry.sha256) return;
+    record.report(key,
+                  fmt::format("{} is not the file that the suite was made with: its SHA-256 is {}",
+                              path.string(), found),
+                  "get that file again; or, where the new one is meant, import it or state its "
+                  "sha256");
+  }
+
+  std::optional<TimedRecord> load(const TomlTable& record, const char* key,
+                                  const RecordEntry& of_record) {
     const std::size_t problems_before = record.problem_count();
     auto entry = read_component_entry(record, key);
     if (!entry || record.problem_count() > problems_before) return std::nullopt;
@@ -144,9 +185,19 @@ class RecordedSuiteReader {
     const auto found = find(record, key, entry->file);
     if (!found) return std::nullopt;
     entry->options.component = found->component;
+    try {
+      check_sha256(found->path, *entry, record, key);
+    } catch (const InputError& error) {
+      record.report(key, error);
+    }
     const std::optional<Record>& read = read_once(found->path, *entry, record, key);
-    if (!read) return std::nullopt;
-    return TimedRecord{*read, entry->start_s};
+    if (!read || record.problem_count() > problems_before) return std::nullopt;
+    try {
+      return TimedRecord{edited(*read, entry->start_s, of_record), entry->start_s};
+    } catch (const InputError& error) {
+      record.report(key, error);
+      return std::nullopt;
+    }
   }
 
   std::filesystem::path suite_file_;

@@ -14,11 +14,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-struct RecordEntry {
-  Motion metadata;
-  std::map<std::string, ComponentEntry> components;  ///< by key
-};
-
 struct Library {
   std::optional<AccelerationUnits> units;  ///< of files that do not state theirs
   std::map<std::string, RecordEntry> entries;
@@ -31,7 +26,7 @@ Library read_library(const fs::path& file) {
   head.ignore_unknown();
   Library library{read_units(head), {}};
   for (const TomlTable& record : document.root().tables("record")) {
-    RecordEntry entry{read_metadata(record), {}};
+    RecordEntry entry = read_record_entry(record);
     for (const char* key : {"first", "second", "vertical"}) {
       if (auto component = read_component_entry(record, key))
         entry.components[key] = std::move(*component);
@@ -57,25 +52,6 @@ std::string renamed(const std::string& name, const fs::path& library, const fs::
   return error ? fs::weakly_canonical(beside).string() : relative.string();
 }
 
-std::string component_toml(const ComponentEntry& component, const std::string& file) {
-  std::string more;
-  if (component.options.dt_s) more += fmt::format(", dt_s = {}", *component.options.dt_s);
-  if (component.start_s > 0.0) more += fmt::format(", start_s = {}", component.start_s);
-  if (component.options.units)
-    more += fmt::format(", units = {}", quoted(to_string(*component.options.units)));
-  if (component.options.counts_per_unit)
-    more += fmt::format(", counts_per_unit = {}", *component.options.counts_per_unit);
-  return more.empty() ? quoted(file) : fmt::format("{{ file = {}{} }}", quoted(file), more);
-}
-
-/// The line of a key, if it is given.
-std::string line(const char* key, const std::string& text) {
-  return text.empty() ? "" : fmt::format("{} = {}\n", key, quoted(text));
-}
-std::string line(const char* key, double value) {
-  return value > 0.0 ? fmt::format("{} = {}\n", key, value) : "";
-}
-
 std::string target_of(const StatedTarget& stated, const fs::path& folder) {
   if (stated.target.period_s.empty()) return target_toml(stated.target);
   return fmt::format("[target]\nedition = {}\nspectrum = {}\n",
@@ -91,25 +67,22 @@ std::string suite_of_records_toml(const fs::path& library, const SuiteHead& head
   const auto [units, entries] = read_library(library);
   std::string text;
   for (const std::string& comment : head.comments) text += "# " + comment + "\n";
-  text +=
-      fmt::format("\n[suite]\nname = {}\ndescription = {}\n{}{}\n{}", quoted(head.name),
-                  quoted(head.description),
-                  line("selection", head.nearest_to_target ? "nearest_to_target" : ""),
-                  line("units", units ? to_string(*units) : ""), target_of(head.target, folder));
+  text += fmt::format("\n[suite]\nname = {}\ndescription = {}\n{}{}\n{}", quoted(head.name),
+                      quoted(head.description),
+                      head.nearest_to_target ? "selection = \"nearest_to_target\"\n" : "",
+                      units ? fmt::format("units = {}\n", quoted(to_string(*units))) : "",
+                      target_of(head.target, folder));
   for (const ScaledRecord& record : records) {
     const auto found = entries.find(record.id);
     if (found == entries.end()) {
       throw InputError({library.string(), "has no [[record]] \"" + record.id + "\"",
                         "only recorded motions are selected into a suite file", ""});
     }
-    const Motion& m = found->second.metadata;
-    text += "\n[[record]]\n" + line("id", m.id) + line("event", m.event) +
-            line("station", m.station) + line("magnitude", m.magnitude) +
-            line("distance_km", m.distance_km) + line("vs30_mps", m.vs30_mps) +
-            line("scale", record.scale);
-    for (const auto& [key, component] : found->second.components)  // first, second, vertical
-      text += fmt::format("{} = {}\n", key,
-                          component_toml(component, renamed(component.file, library, folder)));
+    RecordEntry entry = found->second;
+    entry.metadata.scale = record.scale;
+    for (auto& [key, component] : entry.components)
+      component.file = renamed(component.file, library, folder);
+    text += record_toml(entry);
   }
   return text;
 }

@@ -28,10 +28,14 @@ std::string list_of(const std::vector<double>& values) {
                             : fmt::format("[{}]", fmt::join(values, ", "));
 }
 
+std::string relative_path(const std::filesystem::path& file, const std::filesystem::path& folder) {
+  return std::filesystem::proximate(std::filesystem::absolute(file),
+                                    std::filesystem::absolute(folder.empty() ? "." : folder))
+      .generic_string();
+}
+
 std::string path_from(const std::filesystem::path& file, const std::filesystem::path& folder) {
-  return quoted(
-      std::filesystem::proximate(std::filesystem::absolute(file), std::filesystem::absolute(folder))
-          .generic_string());
+  return quoted(relative_path(file, folder));
 }
 
 std::vector<std::string> target_fields(const DesignTarget& target) {

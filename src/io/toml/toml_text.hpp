@@ -15,7 +15,9 @@ std::string quoted(const std::string& text);
 /// A number, or a list where there are several.
 std::string list_of(const std::vector<double>& values);
 
-/// A file as a path from a folder, quoted.
+/// A file as a path from a folder; an empty one is the current folder.
+std::string relative_path(const std::filesystem::path& file, const std::filesystem::path& folder);
+/// The same, quoted.
 std::string path_from(const std::filesystem::path& file, const std::filesystem::path& folder);
 
 /// "key = value" of each field of a target. Expects one that is not given by points.

@@ -27,6 +27,33 @@ std::vector<std::string> afad_directions(const RecordText& file, LineReader& lin
                 "the file is cut short: get it again");
 }
 
+/// The two numbers of "36.91980N-27.44350E".
+double afad_distance_km(const HeaderLines& header) {
+  const auto places = [&](const char* key) {
+    const std::string text = header.value(key);
+    const std::size_t between = text.find('-');
+    std::pair<std::optional<double>, std::optional<double>> found;
+    if (const auto north = first_number(text)) found.first = north->value;
+    if (between == std::string::npos) return found;
+    if (const auto east = first_number(text, between + 1)) found.second = east->value;
+    return found;
+  };
+  const auto event = places("EPICENTER COORDINATES"), station = places("STATION COORDINATES");
+  return epicentral_km(event.first, event.second, station.first, station.second);
+}
+
+RecordHeader afad_header(const HeaderLines& lines, std::string direction) {
+  RecordHeader header{lines.value("EARTHQUAKE DATE"), lines.value("STATION ID"),
+                      std::move(direction), "gal"};
+  const std::string magnitude = lines.value("EARTHQUAKE MAGNITUDE");  // "6.5 Mw"
+  state_magnitude(header, "M " + magnitude, {{"M", "M"}});
+  if (const auto words = fields(magnitude); header.magnitude > 0.0 && words.size() == 2)
+    header.magnitude_kind = words[1];
+  header.epicentral_km = afad_distance_km(lines);
+  header.is_processed = false;
+  return header;
+}
+
 std::vector<FileComponent> read_afad(const RecordText& file, const RecordFileOptions& options) {
   LineReader lines(file.text);
   lines.next();
@@ -53,9 +80,7 @@ std::vector<FileComponent> read_afad(const RecordText& file, const RecordFileOpt
   std::vector<FileComponent> components;
   for (std::size_t i = 0; i < samples.size(); ++i) {
     components.push_back(file_component(file, names[i], dt_s, std::move(samples[i])));
-    components.back().record.source =
-        fmt::format("{}, {}, {}", header.value("EARTHQUAKE DATE"), header.value("STATION ID"),
-                    plain_direction(names[i]));
+    state_header(components.back(), afad_header(header, plain_direction(names[i])));
     components.back().record.notes.emplace_back("AFAD, raw: not corrected, its offset is in it");
   }
   return components;

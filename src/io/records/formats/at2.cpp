@@ -2,6 +2,11 @@
 // PEER NGA-West2, NGA-East and the older PEER Strong Motion Database: header lines, one of which
 // has NPTS and DT, then any number of values a line (peer.berkeley.edu, as downloaded 2000 to
 // 2020).
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
 #include "records/at2_header.hpp"
 #include "records/formats/reading.hpp"
 
@@ -9,6 +14,42 @@ namespace glissade {
 namespace {
 
 bool is_at2(const RecordText& file) { return find_at2_header(file.text).has_value(); }
+
+/// "03/27/1980", and what may stand before and behind it.
+bool has_date(std::string_view text) {
+  const std::size_t first = text.find('/');
+  if (first == std::string_view::npos || first == 0 || first + 1 >= text.size()) return false;
+  const std::size_t second = text.find('/', first + 1);
+  const auto is_digit = [&](std::size_t at) {
+    return at < text.size() && text[at] >= '0' && text[at] <= '9';
+  };
+  return second != std::string_view::npos && is_digit(first - 1) && is_digit(first + 1) &&
+         is_digit(second + 1);
+}
+
+/// Of the second line of PEER's files: "Duzce, Turkey, 11/12/1999, Bolu, 0", and of the older ones
+/// "LAZIO-ABRUZZO EQ, 05/07/84, 17:50, ROCCAMONFINA, NS", "CHI-CHI 09/20/99, HWA002, N (CWB)".
+RecordHeader peer_header(const At2Header& stated) {
+  RecordHeader header{.event = {}, .station = {}, .unit = stated.units};
+  std::vector<std::string> parts;
+  for (std::string_view rest = stated.title; !rest.empty();) {
+    const std::size_t comma = rest.find(',');
+    parts.emplace_back(trimmed(rest.substr(0, comma)));
+    rest.remove_prefix(comma == std::string_view::npos ? rest.size() : comma + 1);
+  }
+  const auto date = std::ranges::find_if(parts, has_date);
+  if (parts.end() - date < 3) return header;
+  auto station = date + 1;
+  if (station->find(':') != std::string::npos && parts.end() - station > 2) ++station;
+  const auto joined = [](auto begin, auto end) {
+    return fmt::format("{}", fmt::join(begin, end, ", "));
+  };
+  header.event = joined(parts.begin(), station);
+  header.station = joined(station, parts.end() - 1);
+  header.direction = plain_direction(first_word(parts.back()));
+  header.is_processed = true;
+  return header;
+}
 
 std::vector<FileComponent> read_at2(const RecordText& file, const RecordFileOptions& options) {
   const At2Header header = *find_at2_header(file.text);
@@ -19,6 +60,7 @@ std::vector<FileComponent> read_at2(const RecordText& file, const RecordFileOpti
   std::vector<double> samples = read_rest(file, lines, unit_mps2);
   check_at2_count(file.path, header, samples.size());
   FileComponent component = file_component(file, "", dt_s, std::move(samples));
+  component.header = peer_header(header);
   component.record.source = header.source;
   return {std::move(component)};
 }

@@ -154,6 +154,7 @@ std::vector<FileComponent> read_columns(const RecordText& text, const RecordFile
   if (columns == 0) refuse_record(file.string(), "the file holds no samples", what_is_read);
   if (header.npts) check_at2_count(file, header, samples.size());
   FileComponent component = file_component(text, "", 0.0, std::move(samples));
+  component.header.unit = header.units;
   Record& record = component.record;
   if (columns == 2) {
     if (!options.dt_s && header.dt_s)

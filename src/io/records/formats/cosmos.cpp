@@ -4,6 +4,8 @@
 // Format", version 1.20, 2001).
 #include <fmt/format.h>
 
+#include <tuple>
+
 #include "records/formats/reading.hpp"
 
 namespace glissade {
@@ -44,15 +46,41 @@ double cosmos_step_s(const RecordText& file, LineReader& lines) {
 /// What the lines above a block state.
 struct CosmosChannel {
   std::string name, station, kind;
+  RecordHeader header;  ///< its event and distance
+  std::optional<double> event_latitude_deg, event_longitude_deg;
   double dt_s = 0.0;
   std::size_t step_line = 0;
 };
+
+/// "Origin:" and what follows it.
+std::pair<std::string_view, std::string_view> cosmos_line(std::string_view line) {
+  const std::size_t colon = line.find(':');
+  if (colon == std::string_view::npos) return {};
+  return {line.substr(0, colon + 1), line.substr(colon + 1)};
+}
+
+using TwoNumbers = std::pair<std::optional<double>, std::optional<double>>;
+TwoNumbers two_numbers(std::string_view text) {
+  const auto first = first_number(text);
+  const auto second = first ? first_number(text, first->end) : std::nullopt;
+  if (!second) return {};
+  return {first->value, second->value};
+}
 
 void read_cosmos_line(const RecordText& file, LineReader& lines, CosmosChannel& channel) {
   const std::string_view line = lines.line();
   if (line.find("(Format v01.") != std::string_view::npos) {
     channel = {};
     channel.kind = trimmed(line.substr(0, line.find("(Format")));
+  } else if (const auto [tag, rest] = cosmos_line(line); tag == "Origin:") {
+    channel.header.event = single_blanks(rest);
+  } else if (tag == "Hypocenter:") {
+    std::tie(channel.event_latitude_deg, channel.event_longitude_deg) = two_numbers(rest);
+    state_magnitude(channel.header, rest, {{"Mw=", "Mw"}, {"ML=", "ML"}, {"Ms=", "Ms"}});
+  } else if (tag == "Coords:") {
+    const auto [latitude_deg, longitude_deg] = two_numbers(rest);
+    channel.header.epicentral_km = epicentral_km(
+        channel.event_latitude_deg, channel.event_longitude_deg, latitude_deg, longitude_deg);
   } else if (line.starts_with("Statn No")) {
     channel.station = trimmed(line);
   } else if (line.starts_with("Sta Cha")) {
@@ -66,8 +94,8 @@ void read_cosmos_line(const RecordText& file, LineReader& lines, CosmosChannel& 
 FileComponent cosmos_component(const RecordText& file, LineReader& lines,
                                const CosmosChannel& channel, const RecordFileOptions& options) {
   const std::string line(lines.line());
-  const double unit_mps2 =
-      stated_unit(file, between(lower_case(line), "units=", "("), lines.number(), options);
+  const std::string unit = between(lower_case(line), "units=", "(");
+  const double unit_mps2 = stated_unit(file, unit, lines.number(), options);
   const double dt_s =
       stated_step(channel.step_line == 0 ? file.path.string() : place(file.path, channel.step_line),
                   shortest_decimal(channel.dt_s), channel.dt_s, options);
@@ -75,9 +103,13 @@ FileComponent cosmos_component(const RecordText& file, LineReader& lines,
       stated_count(file, {"the count of values", line.substr(0, line.find("pts")), lines.number()});
   FileComponent component = file_component(
       file, channel.name, dt_s, read_block(file, lines, {count, field_width(line), unit_mps2}));
-  component.direction = trimmed(channel.name.substr(channel.name.find(':') + 1));
-  component.record.source =
-      fmt::format("{}, {}", channel.station, plain_direction(component.direction));
+  component.direction = trimmed(channel.name.substr(channel.name.rfind(':') + 1));
+  RecordHeader header = channel.header;
+  header.station = channel.station;
+  header.direction = plain_direction(component.direction);
+  header.unit = unit;
+  header.is_processed = channel.kind.starts_with("Corrected");
+  state_header(component, std::move(header));
   if (!channel.kind.starts_with("Corrected"))
     component.record.notes.push_back("COSMOS, \"" + channel.kind + "\": not corrected");
   return component;

@@ -3,8 +3,6 @@
 // with a line "N points of accel data equally spaced at .005 sec, in cm/sec2. (8f10.6)" each
 // (Shakal & Huang 1985, CDMG "Standard Tape Format for CSMIP Strong-Motion Data Tapes", OSMS
 // 85-03).
-#include <fmt/format.h>
-
 #include "records/formats/reading.hpp"
 
 namespace glissade {
@@ -43,7 +41,7 @@ std::string csmip_unit(const std::string& lower) {
 }
 
 struct CsmipChannel {
-  std::string name, station;
+  std::string name, station, event;
   bool corrected = false;
 };
 
@@ -52,6 +50,8 @@ void read_csmip_line(std::string_view line, const std::string& lower, CsmipChann
     channel.corrected = channel.corrected || lower.starts_with("corrected");
   else if (lower.starts_with("station no"))
     channel.station = trimmed(line.substr(0, 18));
+  else if (lower.starts_with("record of") && channel.event.empty())
+    channel.event = single_blanks(line);
   else if (lower.starts_with("chan"))
     channel.name = single_blanks(line);
   else if (lower.starts_with("/&"))
@@ -61,7 +61,8 @@ void read_csmip_line(std::string_view line, const std::string& lower, CsmipChann
 FileComponent csmip_component(const RecordText& file, LineReader& lines, const std::string& lower,
                               const CsmipChannel& channel, const RecordFileOptions& options) {
   const std::size_t line = lines.number(), width = field_width(lower);
-  const double unit_mps2 = stated_unit(file, csmip_unit(lower), line, options);
+  const std::string unit = csmip_unit(lower);
+  const double unit_mps2 = stated_unit(file, unit, line, options);
   const auto step = first_number(lower, lower.find("spaced at"));
   const double dt_s = stated_step(place(file.path, line), lower.substr(lower.find("spaced at")),
                                   step ? std::optional(step->value) : std::nullopt, options);
@@ -71,8 +72,11 @@ FileComponent csmip_component(const RecordText& file, LineReader& lines, const s
       file, channel.name, dt_s,
       read_block(file, lines, {count, width > 0 ? width : csmip_field_width, unit_mps2}));
   component.direction = trimmed(channel.name.substr(channel.name.find(':') + 1));
-  component.record.source =
-      fmt::format("{}, {}", channel.station, plain_direction(component.direction));
+  state_header(component, {.event = channel.event,
+                           .station = channel.station,
+                           .direction = plain_direction(component.direction),
+                           .unit = unit,
+                           .is_processed = channel.corrected});
   if (!channel.corrected) component.record.notes.emplace_back("CSMIP or USGS V1: not corrected");
   return component;
 }

@@ -65,6 +65,18 @@ void check_cwb_length(const RecordText& file, const std::vector<HeaderLine>& hea
                 "the file is cut short: get it again");
 }
 
+RecordHeader cwb_record_header(const std::vector<HeaderLine>& lines, std::string direction) {
+  const auto number = [&](const char* key) { return fortran_number(cwb_value(lines, key).value); };
+  RecordHeader header{cwb_value(lines, "Origin Time").value, cwb_value(lines, "StationCode").value,
+                      std::move(direction), cwb_value(lines, "AmplitudeUnit").value};
+  const HeaderLine magnitude = cwb_value(lines, "Magnitude");  // "Magnitude(Ml)"
+  state_magnitude(header, magnitude.key + " " + magnitude.value,
+                  {{"Magnitude(Mw)", "Mw"}, {"Magnitude(Ml)", "ML"}, {"Magnitude", "M"}});
+  header.epicentral_km = epicentral_km(number("EpicenterLatitude"), number("EpicenterLongitude"),
+                                       number("StationLatitude"), number("StationLongitude"));
+  return header;
+}
+
 std::vector<FileComponent> read_cwb(const RecordText& file, const RecordFileOptions& options) {
   LineReader lines(file.text);
   const std::vector<HeaderLine> header = cwb_header(lines);
@@ -94,9 +106,7 @@ std::vector<FileComponent> read_cwb(const RecordText& file, const RecordFileOpti
   std::vector<FileComponent> components;
   for (std::size_t i = 0; i < samples.size(); ++i) {
     components.push_back(file_component(file, names[i], dt_s, std::move(samples[i])));
-    components.back().record.source =
-        fmt::format("{}, {}, {}", cwb_value(header, "Origin Time").value,
-                    cwb_value(header, "StationCode").value, plain_direction(names[i]));
+    state_header(components.back(), cwb_record_header(header, plain_direction(names[i])));
   }
   return components;
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // ESM, ITACA and AFAD-TADAS: "KEY: value" lines, then the values ("DYNA 1.2", INGV: Luzi et al.
 // 2016, Seismol. Res. Lett. 87; esm-db.eu, as downloaded 2023).
-#include <fmt/format.h>
+#include <algorithm>
 
 #include "records/formats/reading.hpp"
 
@@ -23,6 +23,22 @@ void refuse_other_data(const RecordText& file, const HeaderLines& header) {
                 "give the file of accelerations (...ACC.ASC)");
 }
 
+RecordHeader dyna_header(const HeaderLines& lines, std::string direction) {
+  const auto number = [&](const char* key) {
+    return std::max(0.0, fortran_number(lines.value(key)).value_or(0.0));
+  };
+  RecordHeader header{lines.value("EVENT_DATE_YYYYMMDD") + " " + lines.value("EVENT_TIME_HHMMSS"),
+                      lines.value("NETWORK") + "." + lines.value("STATION_CODE"),
+                      std::move(direction), lines.value("UNITS"), lines.value("EVENT_ID")};
+  state_magnitude(header, "Mw=" + lines.value("MAGNITUDE_W") + " ML=" + lines.value("MAGNITUDE_L"),
+                  {{"Mw=", "Mw"}, {"ML=", "ML"}});
+  header.epicentral_km = number("EPICENTRAL_DISTANCE_KM");
+  header.vs30_mps = number("VS30_M/S");
+  if (const HeaderLine* processing = lines.find("PROCESSING"))
+    header.is_processed = lower_case(processing->value) != "none";
+  return header;
+}
+
 std::vector<FileComponent> read_dyna(const RecordText& file, const RecordFileOptions& options) {
   LineReader lines(file.text);
   const HeaderLines header = HeaderLines::with_colons(lines);
@@ -38,9 +54,7 @@ std::vector<FileComponent> read_dyna(const RecordText& file, const RecordFileOpt
   check_stated_count(place(file.path, count.line), stated_count(file, count), samples.size());
   const std::string stream = header.value("STREAM");
   FileComponent component = file_component(file, stream, dt_s, std::move(samples));
-  component.record.source = fmt::format("{} {}, {}.{}, {}", header.value("EVENT_DATE_YYYYMMDD"),
-                                        header.value("EVENT_TIME_HHMMSS"), header.value("NETWORK"),
-                                        header.value("STATION_CODE"), plain_direction(stream));
+  state_header(component, dyna_header(header, plain_direction(stream)));
   return {std::move(component)};
 }
 

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // European Strong-Motion Database: "Key : value" lines, one that names quantity and unit, then
 // values in 5E14.7 (Ambraseys et al. 2004, Internet-Site for European Strong-Motion Data).
-#include <fmt/format.h>
-
 #include "records/formats/reading.hpp"
 
 namespace glissade {
@@ -25,18 +23,18 @@ std::vector<FileComponent> read_esd(const RecordText& file, const RecordFileOpti
   lines.next();  // "Accelaration time series in m/s/s", as it is spelt
   const std::string_view quantity = lines.line();
   const std::size_t in = quantity.rfind(" in ");
-  const double unit_mps2 =
-      stated_unit(file, std::string(in == quantity.npos ? "" : trimmed(quantity.substr(in + 4))),
-                  lines.number(), options);
+  const std::string unit(in == quantity.npos ? "" : trimmed(quantity.substr(in + 4)));
+  const double unit_mps2 = stated_unit(file, unit, lines.number(), options);
   const double dt_s =
       stated_step(place(file.path, step.line), step.value, fortran_number(step.value), options);
   std::vector<double> samples =
       read_block(file, lines, {stated_count(file, count), esd_field_width, unit_mps2});
   const std::string direction = header.value("Orientation");
   FileComponent component = file_component(file, direction, dt_s, std::move(samples));
-  component.record.source =
-      fmt::format("{}, {}, {}", header.value("Event Date & Time"),
-                  header.value("Station Code / Name"), plain_direction(direction));
+  RecordHeader stated{header.value("Event Date & Time"), header.value("Station Code / Name"),
+                      plain_direction(direction), unit};
+  if (header.find("Processing Info") != nullptr) stated.is_processed = true;
+  state_header(component, std::move(stated));
   return {std::move(component)};
 }
 

@@ -2,7 +2,7 @@
 // GeoNet of New Zealand, V1A and V2A: per component 16 text lines, 40 integers in 10I8, 60 reals in
 // 10F8, then accelerations (and velocities and displacements) in mm/s2 in 10F8.1 (GNS Science,
 // "Format of the strong-motion data files", geonet.org.nz, as downloaded 2018).
-#include <fmt/format.h>
+#include <algorithm>
 
 #include "records/formats/reading.hpp"
 
@@ -24,8 +24,9 @@ bool is_geonet(const RecordText& file) {
 
 /// What the text lines of a component state.
 struct GeonetText {
-  std::string title, site, name;
-  std::string unit;  ///< of "Acceleration:  Peak   2394.8 mm/s/s at  48.13 s"
+  std::string title, site, name, event;
+  RecordHeader header;  ///< magnitude and distance
+  std::string unit;     ///< of "Acceleration:  Peak   2394.8 mm/s/s at  48.13 s"
   std::size_t unit_line = 0, step_line = 0;
   std::optional<double> dt_s;
 };
@@ -36,6 +37,14 @@ GeonetText geonet_text(LineReader& lines) {
   for (std::size_t i = 1; i < geonet_text_lines && lines.next(); ++i) {
     const std::string_view line = lines.line();
     if (line.starts_with("Site ")) text.site = trimmed(line.substr(0, 15));
+    if (line.find(" UT") != std::string_view::npos && text.event.empty())
+      text.event = single_blanks(line);  // "2016 November 13         11:02:56 UT"
+    if (line.starts_with("Epicentre")) {
+      state_magnitude(text.header, line, {{"Mw", "Mw"}, {"ML", "ML"}, {" M ", "M"}});
+      const std::size_t distance = line.find("Dist");
+      if (const auto km = distance == line.npos ? std::nullopt : first_number(line, distance))
+        text.header.epicentral_km = std::max(0.0, km->value);
+    }
     if (line.starts_with("Component ")) text.name = first_word(line.substr(9));
     const std::size_t at = line.find(" at ");
     if (line.starts_with("Acceleration:") && at != std::string_view::npos) {
@@ -74,8 +83,14 @@ std::vector<FileComponent> read_geonet(const RecordText& file, const RecordFileO
     const std::size_t count = geonet_count(file, lines);
     components.push_back(file_component(file, text.name, dt_s,
                                         read_block(file, lines, {count, geonet_width, unit_mps2})));
+    RecordHeader header = text.header;
+    header.event = text.event.empty() ? text.title : text.event;
+    header.station = text.site;
+    header.direction = plain_direction(text.name);
+    header.unit = text.unit;
+    header.is_processed = text.title.starts_with("Corrected");
+    state_header(components.back(), std::move(header));
     Record& record = components.back().record;
-    record.source = fmt::format("{}, {}, {}", text.title, text.site, plain_direction(text.name));
     if (text.title.starts_with("Uncorrected"))
       record.notes.emplace_back("GeoNet V1A: uncorrected accelerogram");
   }

@@ -128,8 +128,10 @@ std::vector<FileComponent> read_miniseed(const RecordText& file, const RecordFil
     const std::string direction = channel.name.substr(channel.name.rfind('_') + 1);
     FileComponent component = file_component(file, channel.name, dt_s, std::move(samples));
     component.direction = direction;
-    component.record.source =
-        channel.name.substr(0, channel.name.rfind('_')) + ", " + plain_direction(direction);
+    RecordHeader header{"", channel.name.substr(0, channel.name.rfind('_')),
+                        plain_direction(direction), channel.is_counts ? "counts" : ""};
+    if (channel.is_counts) header.is_processed = false;
+    state_header(component, std::move(header));
     if (channel.is_counts)
       component.record.notes.emplace_back(
           "counts of the recorder by the stated gain: not corrected, their offset is in them");

@@ -54,6 +54,18 @@ std::vector<double> without_mean(std::vector<double> samples) {
   return samples;
 }
 
+RecordHeader nied_header(const HeaderLines& lines, const std::string& where,
+                         std::string direction) {
+  const auto number = [&](const char* key) { return fortran_number(lines.value(key)); };
+  RecordHeader header{lines.value("Origin Time"), lines.value("Station Code") + where,
+                      std::move(direction), "counts x " + lines.value("Scale Factor")};
+  state_magnitude(header, "Mag. " + lines.value("Mag."), {{"Mag.", "MJMA"}});
+  header.epicentral_km = epicentral_km(number("Lat."), number("Long."), number("Station Lat."),
+                                       number("Station Long."));
+  header.is_processed = false;
+  return header;
+}
+
 std::vector<FileComponent> read_nied(const RecordText& file, const RecordFileOptions& options) {
   LineReader lines(file.text);
   const HeaderLines header = HeaderLines::in_columns(lines, nied_key_width, nied_header_lines);
@@ -75,8 +87,7 @@ std::vector<FileComponent> read_nied(const RecordText& file, const RecordFileOpt
   const auto [name, where] = nied_sensor(header.value("Dir."));
   FileComponent component = file_component(file, name + where, dt_s, without_mean(samples));
   component.direction = name;
-  component.record.source = fmt::format("{}, {}{}, {}", header.value("Origin Time"),
-                                        header.value("Station Code"), where, plain_direction(name));
+  state_header(component, nied_header(header, where, plain_direction(name)));
   component.record.notes.push_back((where.empty() ? "K-NET" : "KiK-net," + where) +
                                    ": not corrected, less its mean, as NIED states");
   return {std::move(component)};

@@ -7,6 +7,7 @@
 #include <cctype>
 #include <charconv>
 #include <cmath>
+#include <numbers>
 
 #include "glissade/motion/improbable.hpp"
 #include "records/record_units.hpp"
@@ -255,9 +256,15 @@ std::string first_word(std::string_view text) {
 }
 
 std::string single_blanks(std::string_view text) {
+  constexpr std::string_view blanks = " \t\r";
   std::string plain;
-  for (const std::string_view word : fields(text))
-    plain += (plain.empty() ? "" : " ") + std::string(word);
+  for (const char c : trimmed(text)) {
+    const bool is_blank = blanks.find(c) != std::string_view::npos;
+    if (!is_blank)
+      plain += c;
+    else if (!plain.empty() && plain.back() != ' ')
+      plain += ' ';
+  }
   return plain;
 }
 
@@ -284,6 +291,49 @@ std::string plain_direction(std::string_view direction) {
                                            : std::string(trimmed(direction));
   const double a = angle->value;
   return shortest_decimal(south ? (west ? 180.0 + a : 180.0 - a) : (west ? 360.0 - a : a));
+}
+
+void state_header(FileComponent& component, RecordHeader header) {
+  component.record.source =
+      fmt::format("{}{}{}, {}", header.event, header.event.empty() ? "" : ", ", header.station,
+                  header.direction);
+  component.header = std::move(header);
+}
+
+void state_magnitude(RecordHeader& header, std::string_view line,
+                     std::initializer_list<MagnitudeName> names) {
+  const std::string lower = lower_case(line);
+  for (const auto& [name, kind] : names) {
+    const std::size_t at = lower.find(lower_case(name));
+    if (at == std::string::npos) continue;
+    const std::size_t begin = lower.find_first_not_of(" =:", at + name.size());
+    const auto found = begin == std::string::npos ? std::nullopt : first_number(lower, begin);
+    constexpr double most = 10.0;
+    const bool follows = found && lower[begin] >= '0' && lower[begin] <= '9';
+    if (!follows || !(found->value > 0.0 && found->value <= most)) continue;
+    header.magnitude = found->value;
+    header.magnitude_kind = kind;
+    return;
+  }
+}
+
+double epicentral_km(std::optional<double> event_latitude_deg,
+                     std::optional<double> event_longitude_deg,
+                     std::optional<double> station_latitude_deg,
+                     std::optional<double> station_longitude_deg) {
+  constexpr double earth_radius_km = 6371.0, degree = std::numbers::pi / 180.0;
+  const auto is_within = [](const std::optional<double>& angle_deg, double most_deg) {
+    return angle_deg && std::abs(*angle_deg) <= most_deg;
+  };
+  if (!is_within(event_latitude_deg, 90.0) || !is_within(station_latitude_deg, 90.0) ||
+      !is_within(event_longitude_deg, 360.0) || !is_within(station_longitude_deg, 360.0))
+    return 0.0;
+  const double one = degree * *event_latitude_deg, other = degree * *station_latitude_deg;
+  const double north = std::sin(0.5 * (one - other)),
+               east = std::sin(0.5 * degree * (*event_longitude_deg - *station_longitude_deg));
+  const double square = north * north + std::cos(one) * std::cos(other) * east * east;
+  const double distance_km = 2.0 * earth_radius_km * std::asin(std::sqrt(std::min(square, 1.0)));
+  return std::round(100.0 * distance_km) / 100.0;
 }
 
 FileComponent file_component(const RecordText& file, std::string name, double dt_s,

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <initializer_list>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -108,9 +109,30 @@ std::string single_blanks(std::string_view text);
 /// InputError where no option states the unit of a format that has none.
 void ask_for_unit(const RecordText& file, const char* format, const RecordFileOptions& options);
 
+/// Throws InputError for a record without samples, and for accelerations that no ground has.
+void check_readable(const Record& record);
+
 /// "0" of "N-S", "280" of "N80W", "90" of "90 Deg" and "HNE", "UP" of "Up" and "U-D"; others as
 /// they are. For comparing the components of a record.
 std::string plain_direction(std::string_view direction);
+
+/// Takes the header; event, station and direction are the source of the record.
+void state_header(FileComponent& component, RecordHeader header);
+
+/// The magnitude behind one of the names, "Mw=7.0" or "MOMENT MAG= 7.1": the first that has one,
+/// with its kind.
+struct MagnitudeName {
+  std::string_view name;
+  const char* kind;
+};
+void state_magnitude(RecordHeader& header, std::string_view line,
+                     std::initializer_list<MagnitudeName> names);
+
+/// Along the great circle; 0 where one of the four is absent or no place on earth.
+double epicentral_km(std::optional<double> event_latitude_deg,
+                     std::optional<double> event_longitude_deg,
+                     std::optional<double> station_latitude_deg,
+                     std::optional<double> station_longitude_deg);
 
 FileComponent file_component(const RecordText& file, std::string name, double dt_s,
                              std::vector<double> samples_mps2);

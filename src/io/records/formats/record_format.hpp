@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "glissade/io/record_file.hpp"
+#include "glissade/io/record_header.hpp"
 
 namespace glissade {
 
@@ -21,6 +22,7 @@ struct FileComponent {
   std::string name;       ///< "U1", "Chan 1: 360 Deg"; empty: the file does not name it
   std::string direction;  ///< another name of it: "360 Deg"; may be empty
   Record record;          ///< of a table, without samples where another column is asked for
+  RecordHeader header = {};
 };
 
 /// A kind of file. A reader throws InputError for what is wrong with a file of its kind.
@@ -38,6 +40,11 @@ extern const RecordFormat sac_format, miniseed_format, foreign_format, nied_form
 
 /// The first that matches reads a file; the last matches any text.
 std::span<const RecordFormat* const> record_formats();
+
+/// As a spreadsheet or DOS leaves it: UTF-16, lines that end with \r alone, an end-of-file mark.
+RecordText load_record(const std::filesystem::path& file);
+/// Throws InputError where the file is no text, and of no binary format.
+const RecordFormat& format_of(const RecordText& record);
 
 /// The component that is asked for, by its position or one of its names; with no `wanted` the only
 /// one. InputError with the list of those there are.

@@ -3,7 +3,9 @@
 
 #include <algorithm>
 
+#include "glissade/core/file.hpp"
 #include "records/formats/reading.hpp"
+#include "text/utf16.hpp"
 
 namespace glissade {
 namespace {
@@ -36,6 +38,26 @@ std::string listed_components(const std::vector<FileComponent>& components) {
 }  // namespace
 
 std::span<const RecordFormat* const> record_formats() { return formats_in_order; }
+
+RecordText load_record(const std::filesystem::path& file) {
+  RecordText record{file, read_text_file(file)};
+  if (is_utf16(record.text)) record.text = from_utf16(record.text);
+  if (record.text.ends_with('\x1a')) record.text.pop_back();
+  const bool is_text = record.text.find('\0') == std::string::npos;
+  if (is_text && record.text.find('\n') == std::string::npos)
+    std::ranges::replace(record.text, '\r', '\n');
+  return record;
+}
+
+const RecordFormat& format_of(const RecordText& record) {
+  const auto formats = record_formats();
+  const auto binary = std::ranges::find_if(
+      formats, [&](const RecordFormat* f) { return f->is_binary && f->matches(record); });
+  if (binary != formats.end()) return **binary;
+  refuse_no_text(record.path, record.text);
+  return **std::ranges::find_if(
+      formats, [&](const RecordFormat* f) { return !f->is_binary && f->matches(record); });
+}
 
 std::size_t picked_component(const std::filesystem::path& file,
                              const std::vector<FileComponent>& components,

@@ -17,8 +17,8 @@ namespace {
 
 constexpr std::size_t sac_header_bytes = 632, sac_text_at = 440;
 // Words of the header.
-constexpr std::size_t sac_delta = 0, sac_version = 76, sac_npts = 79, sac_file_type = 85,
-                      sac_quantity = 86, sac_is_even = 105;
+constexpr std::size_t sac_delta = 0, sac_magnitude = 39, sac_distance = 50, sac_version = 76,
+                      sac_npts = 79, sac_file_type = 85, sac_quantity = 86, sac_is_even = 105;
 constexpr std::int32_t sac_this_version = 6, sac_time_series = 1, sac_displacement = 6,
                        sac_velocity = 7, sac_volts = 50;
 
@@ -52,6 +52,12 @@ std::string sac_name(const std::string& bytes, std::size_t eighth) {
   const std::string_view field = std::string_view(bytes).substr(sac_text_at + 8 * eighth, 8);
   const std::string_view name = trimmed(field.substr(0, field.find('\0')));
   return name.starts_with("-12345") ? "" : std::string(name);
+}
+
+/// The event, of sixteen characters.
+std::string sac_long_name(const std::string& bytes) {
+  const std::string first = sac_name(bytes, 1);
+  return first.size() < 8 ? first : first + sac_name(bytes, 2);
 }
 
 /// The decimal that was meant: 0.02 of the float 0.0199999996.
@@ -98,8 +104,13 @@ std::vector<FileComponent> read_sac(const RecordText& file, const RecordFileOpti
               samples);
   const std::string channel = sac_name(bytes, 20);
   FileComponent component = file_component(file, channel, dt_s, std::move(samples));
-  component.record.source =
-      fmt::format("{}.{}, {}", sac_name(bytes, 21), sac_name(bytes, 0), plain_direction(channel));
+  RecordHeader header{sac_long_name(bytes), sac_name(bytes, 21) + "." + sac_name(bytes, 0),
+                      plain_direction(channel), unit};
+  state_magnitude(header, fmt::format("M {:.4g}", sac_float(bytes, sac_magnitude, big)),
+                  {{"M", "M"}});
+  if (const float km = sac_float(bytes, sac_distance, big); km > 0.0F && km < 1e5F)
+    header.epicentral_km = km;
+  state_header(component, std::move(header));
   return {std::move(component)};
 }
 

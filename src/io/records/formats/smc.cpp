@@ -4,6 +4,7 @@
 // 00-509, version 2.3).
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 
 #include "records/formats/reading.hpp"
@@ -60,6 +61,23 @@ std::string smc_unit(const RecordText& file, std::size_t kind, const RecordFileO
   return kind == 3 ? "cm/s" : "cm";
 }
 
+/// Line 4 has date and name of the event, line 5 its magnitudes.
+void read_smc_line(const LineReader& lines, RecordHeader& header) {
+  constexpr std::size_t event_line = 4, magnitude_line = 5;
+  const std::string_view line = lines.line();
+  if (lines.number() == event_line && !line.starts_with("*")) header.event = single_blanks(line);
+  if (lines.number() == magnitude_line)
+    state_magnitude(header, line, {{"Moment Mag=", "Mw"}, {"Ms=", "Ms"}, {"Ml=", "ML"}});
+  if (line.starts_with("station")) {  // "station = San Francisco, 1295 Shafter, F component= 360"
+    const std::string_view name = line.substr(0, std::min(line.find("component"), line.size()));
+    header.station = trimmed(name.substr(std::min(name.find('=') + 1, name.size())));
+  }
+  if (line.starts_with("epicentral dist")) {
+    const auto km = first_number(line);
+    if (km && km->value > 0.0) header.epicentral_km = km->value;
+  }
+}
+
 std::string smc_direction(const std::vector<double>& integers) {
   const double vertical = integers[13], azimuth = integers[14];
   if (vertical == 0.0) return "UP";
@@ -73,9 +91,8 @@ std::vector<FileComponent> read_smc(const RecordText& file, const RecordFileOpti
   const std::size_t kind = *smc_kind(lines.line());
   const std::string unit = smc_unit(file, kind, options);
   const double unit_mps2 = stated_unit(file, unit, 1, options);
-  std::string station;
-  while (lines.number() < smc_text_lines && lines.next())
-    if (lines.line().starts_with("station")) station = trimmed(lines.line().substr(0, 40));
+  RecordHeader header;
+  while (lines.number() < smc_text_lines && lines.next()) read_smc_line(lines, header);
   const std::vector<double> integers = smc_header(file, lines, smc_integers, 10);
   const std::size_t count_line = smc_text_lines + 3;
   const std::vector<double> reals = smc_header(file, lines, smc_reals, 15);
@@ -90,7 +107,10 @@ std::vector<FileComponent> read_smc(const RecordText& file, const RecordFileOpti
   std::vector<double> samples = read_block(file, lines, {count, width, unit_mps2});
   const std::string direction = smc_direction(integers);
   FileComponent component = file_component(file, direction, dt_s, std::move(samples));
-  component.record.source = fmt::format("{}, {}", station, direction);
+  header.direction = direction;
+  header.unit = unit;
+  if (kind > 0) header.is_processed = kind == 2;
+  state_header(component, std::move(header));
   if (kind == 1) component.record.notes.emplace_back("SMC, uncorrected accelerogram");
   return {std::move(component)};
 }

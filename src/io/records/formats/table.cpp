@@ -235,6 +235,7 @@ std::vector<FileComponent> read_table(const RecordText& file, const RecordFileOp
   Record& record = components[picked].record;
   record.dt_s = table_step(file, plan, rows.time, options, record.notes);
   record.acceleration_mps2 = std::move(rows.samples_mps2);
+  components[picked].header.unit = column.unit.empty() ? plan.stated.units : column.unit;
   if (plan.shape.style.decimal_comma)
     record.notes.emplace_back("commas are taken for decimal commas");
   return components;

@@ -5,8 +5,7 @@
 //   as films were digitised;
 // - BHRC of Iran: "* VOL1DS FILE" and the same header per component, then accelerations in 10E13.6
 //   (smd.bhrc.ac.ir, as downloaded 2012).
-#include <fmt/format.h>
-
+#include <algorithm>
 #include <cmath>
 
 #include "records/formats/reading.hpp"
@@ -31,6 +30,7 @@ bool is_bhrc(const RecordText& file) {
 /// reals.
 struct VolumeOneHeader {
   std::string name, station, unit;
+  RecordHeader stated;  ///< its magnitude
   std::size_t points = 0, unit_line = 0, points_line = 0;
   double duration_s = 0.0;
 };
@@ -53,6 +53,11 @@ std::optional<VolumeOneHeader> volume_one_header(const RecordText& file, LineRea
       header.name = std::string(trimmed(line.substr(4, 12)));
     } else if (line.starts_with("NO. OF POINTS")) {
       read_points(file, lines, header);
+    } else if (line.starts_with("Origin Time")) {
+      header.stated.event = single_blanks(line.substr(std::min(line.find(':') + 1, line.size())));
+    } else if (line.starts_with("Epicenter")) {
+      state_magnitude(header.stated, line,
+                      {{"Mw", "Mw"}, {"Ms", "Ms"}, {"ML", "ML"}, {"mb", "mb"}});
     } else if (line.find("STATION") != std::string_view::npos ||
                line.find("Station") != std::string_view::npos) {
       header.station = std::string(trimmed(line.substr(0, 40)));
@@ -73,7 +78,12 @@ std::optional<VolumeOneHeader> volume_one_header(const RecordText& file, LineRea
 FileComponent volume_one_component(const RecordText& file, const VolumeOneHeader& header,
                                    double dt_s, std::vector<double> samples) {
   FileComponent component = file_component(file, header.name, dt_s, std::move(samples));
-  component.record.source = fmt::format("{}, {}", header.station, plain_direction(header.name));
+  RecordHeader stated = header.stated;
+  stated.station = header.station;
+  stated.direction = plain_direction(header.name);
+  stated.unit = header.unit;
+  stated.is_processed = false;
+  state_header(component, std::move(stated));
   component.record.notes.emplace_back("uncorrected accelerogram (Volume I)");
   return component;
 }

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <string>
+
+namespace glissade {
+
+/// What a header states of a record besides its samples; what it does not is empty or 0.
+struct RecordHeader {
+  std::string event, station;
+  std::string direction = {};  ///< "0", "UP", "HNE": degrees from north where it states them
+  std::string unit = {};       ///< as written
+  std::string event_id = {};   ///< of ESM
+  double magnitude = 0.0;
+  std::string magnitude_kind = {};  ///< "Mw", "ML", "MJMA", "M"
+  double epicentral_km = 0.0;
+  double vs30_mps = 0.0;
+  std::optional<bool> is_processed = std::nullopt;
+};
+
+}  // namespace glissade

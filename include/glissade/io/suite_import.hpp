@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "glissade/io/record_file.hpp"
+#include "glissade/io/record_header.hpp"
+
+// From folders of record files, as they are downloaded, to a suite.
+namespace glissade {
+
+struct ImportOptions {
+  std::vector<std::filesystem::path> inputs;  ///< files, and folders with all that is below them
+  std::optional<std::filesystem::path> report;
+  RecordFileOptions missing;  ///< units_if_not_stated and dt_s of files that do not state theirs
+  bool trim = false;          ///< to the end of the shortest component
+  bool resample = false;      ///< to the shortest step of the components
+  bool keep_single = false;   ///< records with one horizontal
+};
+
+/// A component as it was read, without its samples.
+struct FoundComponent {
+  std::filesystem::path file;
+  std::string address;  ///< behind the file: "#2"; empty: the only one
+  std::string name;     ///< as the file names it; may be empty
+  std::string format;
+  RecordHeader header;
+  double dt_s = 0.0;
+  std::size_t samples = 0;
+  double pga_g = 0.0;
+  bool is_dead = false;  ///< all samples of one value
+  std::vector<std::string> notes, faults;
+  std::string sha256;                 ///< of the file
+  std::uint64_t samples_hash = 0;     ///< of step and samples
+  std::optional<double> stated_dt_s;  ///< by the options, as the file does not state it
+
+  std::string shown() const { return file.filename().string() + address; }
+};
+
+struct LeftOut {
+  std::string what;    ///< a file, a component or a record of the report
+  std::string reason;  ///< and what to do
+};
+
+/// A record of the suite: its components by their position in the list of those that were found.
+struct ImportedRecord {
+  std::string id, event, station;
+  double magnitude = 0.0, distance_km = 0.0, vs30_mps = 0.0, scale = 0.0;  ///< 0: not stated
+  std::string magnitude_kind, distance_kind;
+  std::array<std::optional<std::size_t>, 3> components;  ///< first, second, vertical
+  std::optional<double> step_s, end_s;                   ///< where it is resampled, or trimmed
+  std::vector<std::string> warnings;
+};
+
+struct SuiteImport {
+  std::vector<FoundComponent> components;  ///< all that could be read
+  std::vector<ImportedRecord> records;
+  std::vector<LeftOut> left_out;
+  std::vector<std::string> warnings;  ///< of the report
+};
+
+/// Reads every file once and puts components of one station and event together, by their headers,
+/// the report and their names; what cannot be read or belongs to no record is left out, with the
+/// reason. Throws InputError where an input or the report is not there, or there are too many
+/// files.
+SuiteImport import_suite(const ImportOptions& options);
+
+/// Whether a path is to be read as a suite file: named .toml, or with a line [suite]; not a folder
+/// or a record.
+bool is_suite_file(const std::filesystem::path& path);
+
+struct ImportedSuiteHead {
+  std::string name;
+  std::vector<std::string> comments;       ///< lines at the head of the file
+  std::optional<AccelerationUnits> units;  ///< of files that do not state theirs
+};
+/// The suite file, to be written into `folder`: files by relative paths, with their SHA-256.
+std::string imported_suite_toml(const SuiteImport& found, const ImportedSuiteHead& head,
+                                const std::filesystem::path& folder);
+
+}  // namespace glissade

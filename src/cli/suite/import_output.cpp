@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "suite/import_output.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "glissade/core/error.hpp"
+#include "glissade/core/wrap.hpp"
+#include "put.hpp"
+
+namespace glissade::cli {
+namespace {
+
+Column detail(Column column) {
+  column.detail = true;
+  return column;
+}
+
+double given(double value) { return value > 0.0 ? value : std::nan(""); }
+
+const char* processing(const RecordHeader& header) {
+  if (!header.is_processed) return "not stated";
+  return *header.is_processed ? "yes" : "no";
+}
+
+}  // namespace
+
+void MissingOptions::add_to(CLI::App& command) {
+  command.add_option("--units", units, "units of files that do not state theirs: g, m/s2, cm/s2");
+  command.add_option("--dt-s", dt_s, "step of files that do not state theirs");
+}
+
+RecordFileOptions MissingOptions::of_files() const {
+  RecordFileOptions options;
+  if (dt_s && !(std::isfinite(*dt_s) && *dt_s > 0.0))
+    throw InputError({"--dt-s", fmt::format("{} s is not above 0", *dt_s), "give the step", ""});
+  options.dt_s = dt_s;
+  if (units.empty()) return options;
+  try {
+    options.units_if_not_stated = parse_acceleration_units(units);
+  } catch (const InputError& error) {
+    Problem problem = error.problems().front();
+    problem.where = "--units";
+    throw InputError(problem);
+  }
+  return options;
+}
+
+Table components_table(const SuiteImport& found) {
+  Table table{"components",
+              "As read of each file; processed as its header states.",
+              {text_column("file", "File"),
+               text_column("component", "Component"),
+               detail(text_column("format", "Format")),
+               text_column("unit", "Unit"),
+               {"dt", "s", "Step, s", ColumnKind::number, "", false, 4},
+               {"samples", "", "Samples", ColumnKind::count},
+               {"pga", "g", "PGA, g", ColumnKind::number, "", false, 4},
+               text_column("processed", "Processed"),
+               detail(text_column("event", "Event")),
+               detail(text_column("station", "Station")),
+               detail({"magnitude", "", "M", ColumnKind::number, "", false, 2}),
+               detail(text_column("magnitude_kind", "Magnitude is")),
+               detail({"epicentral", "km", "Epicentral distance, km"}),
+               detail({"vs30", "mps", "Vs30, m/s", ColumnKind::number, "", false, 0}),
+               detail(text_column("notes", "Notes"))},
+              {}};
+  for (const FoundComponent& c : found.components) {
+    const RecordHeader& h = c.header;
+    std::vector<std::string> notes = c.notes;
+    notes.insert(notes.end(), c.faults.begin(), c.faults.end());
+    table.add({c.shown(), h.direction, c.format, h.unit.empty() ? "not stated" : h.unit, c.dt_s,
+               static_cast<double>(c.samples), c.pga_g, std::string(processing(h)), h.event,
+               h.station, given(h.magnitude), h.magnitude_kind, given(h.epicentral_km),
+               given(h.vs30_mps), fmt::format("{}", fmt::join(notes, "; "))});
+  }
+  return table;
+}
+
+void put_warnings(const SuiteImport& found) {
+  for (const std::string& warning : found.warnings)
+    put("{}\n", wrapped("WARNING: the report " + warning, terminal_width, 0));
+  for (const ImportedRecord& record : found.records)
+    for (const std::string& warning : record.warnings)
+      put("{}\n", wrapped("WARNING: " + record.id + ": " + warning, terminal_width, 0));
+}
+
+void put_left_out(const SuiteImport& found) {
+  constexpr std::size_t most = 100;
+  if (found.left_out.empty()) return;
+  put("\nleft out:\n");
+  for (std::size_t i = 0; i < std::min(most, found.left_out.size()); ++i)
+    put("{}\n", wrapped("  " + found.left_out[i].what + ": " + found.left_out[i].reason,
+                        terminal_width, 4));
+  if (found.left_out.size() > most)
+    put("  and {} more: --json lists all\n", found.left_out.size() - most);
+  put("Units and steps that files do not state: --units, --dt-s\n");
+}
+
+}  // namespace glissade::cli

@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "import/component_name.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+
+#include "records/formats/reading.hpp"
+#include "text/scan.hpp"
+
+namespace glissade {
+namespace {
+
+constexpr std::string_view separators = "._- ";
+
+bool is_digit(char c) { return c >= '0' && c <= '9'; }
+bool is_one_of(std::string_view word, std::initializer_list<std::string_view> words) {
+  return std::ranges::find(words, word) != words.end();
+}
+
+/// The last letter of a channel of SEED, "HNE", "BN1", also with its location behind it ("BH100").
+char seed_orientation(std::string_view lower) {
+  if (lower.size() == 5 && is_digit(lower[3]) && is_digit(lower[4])) lower = lower.substr(0, 3);
+  if (lower.size() != 3) return '\0';
+  const bool has_code = std::string_view("fgdceshbl").find(lower[0]) != std::string_view::npos &&
+                        std::string_view("hlgn").find(lower[1]) != std::string_view::npos;
+  return has_code && std::string_view("nez123").find(lower[2]) != std::string_view::npos ? lower[2]
+                                                                                         : '\0';
+}
+
+ComponentDirection horizontal(double azimuth_deg) {
+  const double turned = std::fmod(azimuth_deg, 360.0);
+  return {false, false, turned < 0.0 ? turned + 360.0 : turned, 0};
+}
+
+bool is_azimuth(std::string_view text) {
+  return text.size() == 3 && std::ranges::all_of(text, is_digit) && text <= "360";
+}
+
+/// A token of a name that names a component wherever it stands; of one letter only at the end.
+bool is_direction_token(std::string_view token, bool is_last) {
+  if (is_last && is_azimuth(token)) return true;
+  if (token.size() < (is_last ? 1U : 2U) || is_digit(token.front())) return false;
+  return component_direction(token).has_value();
+}
+
+/// The direction at the end of a token, "GIL067", "HECVER", "20140203E"; 0: none.
+std::size_t direction_suffix(std::string_view token) {
+  constexpr std::size_t azimuth = 3;
+  const auto is_letter = [](char c) { return !is_digit(c); };
+  if (token.size() > azimuth && is_azimuth(token.substr(token.size() - azimuth)) &&
+      std::ranges::any_of(token, is_letter))
+    return azimuth;
+  const std::string lower = lower_case(token);
+  for (const std::string_view word : {"dwn", "ver", "vrt"})
+    if (lower.size() > word.size() && lower.ends_with(word)) return word.size();
+  if (lower.size() > 1 && is_digit(lower[lower.size() - 2]) &&
+      is_one_of(std::string_view(lower).substr(lower.size() - 1), {"n", "e", "v", "z"}))
+    return 1;
+  return 0;
+}
+
+}  // namespace
+
+std::optional<ComponentDirection> component_direction(std::string_view word) {
+  const std::string plain = plain_direction(trimmed(word));
+  const std::string lower = lower_case(plain);
+  if (const auto azimuth = parse_number(plain)) {
+    if (std::isfinite(*azimuth) && std::abs(*azimuth) <= 360.0) return horizontal(*azimuth);
+    return std::nullopt;
+  }
+  // L1, V2 and T3 of BHRC.
+  const bool is_numbered = lower.size() == 2 && is_digit(lower[1]);
+  if (is_numbered && lower[0] == 'l') return ComponentDirection{false, false, {}, 1};
+  if (is_numbered && lower[0] == 't') return ComponentDirection{false, false, {}, 2};
+  if (is_numbered && lower[0] == 'v') return ComponentDirection{true, false, {}, 0};
+  if (is_one_of(lower, {"up", "ver", "vrt", "u3", "uz", "az", "a3"}))
+    return ComponentDirection{true, false, {}, 0};
+  if (is_one_of(lower, {"dwn", "down", "dn"})) return ComponentDirection{true, true, {}, 0};
+  if (is_one_of(lower, {"s"})) return horizontal(180.0);
+  if (is_one_of(lower, {"w"})) return horizontal(270.0);
+  if (is_one_of(lower, {"h1", "l", "ln", "long", "x", "u1", "ux", "ax", "a1", "fn"}))
+    return ComponentDirection{false, false, {}, 1};
+  if (is_one_of(lower, {"h2", "t", "tr", "tran", "y", "u2", "uy", "ay", "a2", "fp"}))
+    return ComponentDirection{false, false, {}, 2};
+  switch (seed_orientation(lower)) {
+    case 'n':
+      return horizontal(0.0);
+    case 'e':
+      return horizontal(90.0);
+    case 'z':
+    case '3':
+      return ComponentDirection{true, false, {}, 0};
+    case '1':
+      return ComponentDirection{false, false, {}, 1};
+    case '2':
+      return ComponentDirection{false, false, {}, 2};
+    default:
+      return std::nullopt;
+  }
+}
+
+SplitName split_direction(std::string_view stem) {
+  std::size_t end = stem.size();
+  for (bool is_last = true; end > 0; is_last = false) {
+    const std::size_t before = stem.find_last_of(separators, end - 1);
+    const std::size_t begin = before == std::string_view::npos ? 0 : before + 1;
+    const std::string_view token = stem.substr(begin, end - begin);
+    if (!token.empty() && is_direction_token(token, is_last)) {
+      std::string rest(stem.substr(0, begin));
+      while (!rest.empty() && separators.find(rest.back()) != std::string_view::npos)
+        rest.pop_back();
+      return {rest + std::string(stem.substr(end)), std::string(token)};
+    }
+    if (const std::size_t suffix = is_last ? direction_suffix(token) : 0; suffix > 0)
+      return {std::string(stem.substr(0, end - suffix)), std::string(stem.substr(end - suffix))};
+    if (before == std::string_view::npos) break;
+    end = before;
+  }
+  return {std::string(stem), ""};
+}
+
+std::string stem_of(const std::filesystem::path& file) {
+  const std::string name = file.filename().string();
+  const std::size_t point = name.rfind('.');
+  const bool is_ending = point != std::string::npos && point > 0 && name.size() - point <= 6 &&
+                         std::ranges::any_of(name.substr(point + 1),
+                                             [](unsigned char c) { return std::isalpha(c) != 0; });
+  return is_ending ? name.substr(0, point) : name;
+}
+
+std::string record_sequence_number(std::string_view file_name) {
+  if (!lower_case(file_name.substr(0, 3)).starts_with("rsn")) return "";
+  std::size_t end = 3;
+  while (end < file_name.size() && is_digit(file_name[end])) ++end;
+  const bool ends_there = end < file_name.size() && !std::isalpha(file_name[end]);
+  return ends_there ? std::string(file_name.substr(3, end - 3)) : "";
+}
+
+}  // namespace glissade

@@ -1,0 +1,354 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "import/pairing.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <map>
+#include <set>
+
+#include "glissade/core/printable.hpp"
+#include "import/component_name.hpp"
+#include "text/scan.hpp"
+
+namespace glissade {
+namespace {
+
+constexpr std::size_t vertical_at = 2;
+
+/// A component with what its header, the report and its name say of where it belongs.
+struct ComponentPiece {
+  std::size_t component;
+  const FoundComponent* found;
+  SplitName name;  ///< of its file
+  std::optional<ComponentDirection> direction;
+  const ReportRow* row = nullptr;
+  std::optional<std::size_t> place_in_row;  ///< of its file in the row
+  std::string key, narrow_key;  ///< of its record; where that has too many components, the second
+};
+using Pieces = std::vector<ComponentPiece>;
+
+/// Finds the row of a component.
+class ReportIndex {
+ public:
+  explicit ReportIndex(const SearchReport* report) {
+    if (report == nullptr) return;
+    for (const ReportRow& row : report->rows) {
+      if (!row.rsn.empty()) by_rsn_.emplace(row.rsn, &row);
+      if (!row.event_id.empty()) by_event_.emplace(row.event_id + "|" + row.station, &row);
+      for (const std::string& file : row.files)
+        if (!file.empty()) by_file_.emplace(lower_case(file), &row);
+    }
+  }
+  void look_up(ComponentPiece& piece) const {
+    const std::string file = piece.found->file.filename().string();
+    const RecordHeader& header = piece.found->header;
+    if (const auto named = by_file_.find(lower_case(file)); named != by_file_.end()) {
+      piece.row = named->second;
+      for (std::size_t i = 0; i < piece.row->files.size(); ++i)
+        if (lower_case(piece.row->files[i]) == lower_case(file)) piece.place_in_row = i;
+    } else if (const auto rsn = by_rsn_.find(record_sequence_number(file)); rsn != by_rsn_.end()) {
+      piece.row = rsn->second;
+    } else if (const auto event = by_event_.find(header.event_id + "|" + header.station);
+               event != by_event_.end()) {
+      piece.row = event->second;
+    }
+  }
+
+ private:
+  std::map<std::string, const ReportRow*> by_rsn_, by_event_, by_file_;
+};
+
+std::optional<ComponentDirection> direction_of(const ComponentPiece& piece) {
+  if (piece.place_in_row == vertical_at) {
+    auto direction = component_direction(piece.found->header.direction);
+    return direction && direction->is_vertical ? direction : ComponentDirection{true, false, {}, 0};
+  }
+  auto direction = component_direction(piece.found->header.direction);
+  if (direction && piece.place_in_row) {
+    direction->is_vertical = false;
+    direction->order = static_cast<int>(*piece.place_in_row) + 1;
+  }
+  if (direction) return direction;
+  if (piece.place_in_row)
+    return ComponentDirection{false, false, {}, static_cast<int>(*piece.place_in_row) + 1};
+  return std::nullopt;
+}
+
+/// Whether a name's end, which could be a direction, is none: the header states another.
+bool is_other(const std::optional<ComponentDirection>& by_name,
+              const std::optional<ComponentDirection>& stated) {
+  constexpr double tolerance_deg = 5.0;
+  return by_name && stated && by_name->azimuth_deg &&
+         (!stated->azimuth_deg ||
+          std::abs(std::remainder(*by_name->azimuth_deg - *stated->azimuth_deg, 180.0)) >
+              tolerance_deg);
+}
+
+ComponentPiece piece_of(std::size_t component, const FoundComponent& found,
+                        const ReportIndex& report) {
+  ComponentPiece piece{component, &found, {}, {}, nullptr, {}, "", ""};
+  const bool is_one_of_several = !found.address.empty();
+  const std::string stem = stem_of(found.file);
+  piece.name = is_one_of_several ? SplitName{stem, ""} : split_direction(stem);
+  report.look_up(piece);
+  piece.direction = direction_of(piece);
+  if (is_other(component_direction(piece.name.direction), piece.direction))
+    piece.name = {stem, ""};  // "CHB0021412312349.EW" is a time
+  const std::string folder = found.file.parent_path().string();
+  piece.narrow_key =
+      folder + "|" + (is_one_of_several ? found.file.filename().string() : piece.name.rest);
+  const RecordHeader& header = found.header;
+  if (piece.row != nullptr)
+    piece.key =
+        fmt::format("row|{}|{}|{}", piece.row->rsn, piece.row->event_id, piece.row->station);
+  else if (!header.event.empty() && !header.station.empty())
+    piece.key =
+        fmt::format("header|{}|{}|{}", record_sequence_number(found.file.filename().string()),
+                    lower_case(header.event), lower_case(header.station));
+  else
+    piece.key = fmt::format("name|{}|{}", piece.narrow_key, lower_case(header.station));
+  return piece;
+}
+
+std::string listed(const Pieces& pieces) {
+  constexpr std::size_t most = 6;
+  std::string list;
+  for (std::size_t i = 0; i < std::min(most, pieces.size()); ++i)
+    list += (i == 0 ? "" : ", ") + pieces[i].found->shown();
+  return pieces.size() > most ? fmt::format("{} and {} more", list, pieces.size() - most) : list;
+}
+
+bool is_vertical(const ComponentPiece& piece) {
+  return piece.direction && piece.direction->is_vertical;
+}
+
+std::size_t horizontals(const Pieces& pieces) {
+  return static_cast<std::size_t>(std::ranges::count_if(pieces, std::not_fn(is_vertical)));
+}
+bool is_one_record(const Pieces& pieces) {
+  return horizontals(pieces) <= 2 && pieces.size() - horizontals(pieces) <= 1;
+}
+
+bool are_perpendicular(const ComponentPiece& one, const ComponentPiece& other) {
+  constexpr double tolerance_deg = 5.0;
+  const auto &first = one.direction->azimuth_deg, &second = other.direction->azimuth_deg;
+  return !first || !second ||
+         std::abs(std::abs(std::remainder(*first - *second, 180.0)) - 90.0) <= tolerance_deg;
+}
+
+/// Why the pieces are no record; "" where they are one.
+std::string reason_against(const Pieces& pieces, const ImportOptions& options) {
+  constexpr const char* by_hand = "; write its [[record]] by hand: first, second, vertical";
+  const std::size_t across = horizontals(pieces);
+  if (!is_one_record(pieces))
+    return fmt::format(
+        "{} horizontal and {} vertical components of one station and event: which belong together "
+        "is not stated{}",
+        across, pieces.size() - across, by_hand);
+  const auto unnamed =
+      std::ranges::find_if(pieces, [](const ComponentPiece& p) { return !p.direction; });
+  if (unnamed != pieces.end())
+    return fmt::format("neither its header nor its name says which component {} is{}",
+                       unnamed->found->shown(), by_hand);
+  if (across == 0) return "no horizontal component of its station and event";
+  if (across == 1 && !options.keep_single)
+    return "one horizontal component only of its station and event: --keep-single takes it";
+  if (across == 2 && !are_perpendicular(pieces[0], pieces[1]))
+    return fmt::format("horizontals of {:g} and {:g} degrees, which are not perpendicular{}",
+                       *pieces[0].direction->azimuth_deg, *pieces[1].direction->azimuth_deg,
+                       by_hand);
+  const auto step = [](const ComponentPiece& p) { return p.found->dt_s; };
+  const double shortest_s = std::ranges::min(pieces, {}, step).found->dt_s;
+  for (const ComponentPiece& piece : pieces) {
+    const double ratio = step(piece) / shortest_s;
+    if (!options.resample && std::abs(ratio - std::round(ratio)) > 1e-6)
+      return fmt::format(
+          "steps of {:g} and {:g} s, one no multiple of the other: --resample interpolates",
+          shortest_s, step(piece));
+  }
+  return "";
+}
+
+/// Horizontals first, by their place in the report, H1 before H2, by azimuth; then the vertical.
+void sort_pieces(Pieces& pieces) {
+  std::ranges::sort(pieces, {}, [](const ComponentPiece& p) {
+    const ComponentDirection d = p.direction.value_or(ComponentDirection{});
+    return std::tuple(d.is_vertical, d.order, d.azimuth_deg.value_or(0.0), p.component);
+  });
+}
+
+/// A value of a header, if it can be one.
+double within(double value, double most) { return value > 0.0 && value <= most ? value : 0.0; }
+
+void take_header(ImportedRecord& record, const RecordHeader& header) {
+  constexpr double largest_magnitude = 10.0, longest_km = 20'000.0, fastest_mps = 10'000.0;
+  if (record.event.empty()) record.event = header.event;
+  if (record.station.empty()) record.station = header.station;
+  if (record.magnitude == 0.0 &&
+      (record.magnitude = within(header.magnitude, largest_magnitude)) > 0.0)
+    record.magnitude_kind = header.magnitude_kind;
+  if (record.distance_km == 0.0 &&
+      (record.distance_km = within(header.epicentral_km, longest_km)) > 0.0)
+    record.distance_kind = "epicentral";
+  if (record.vs30_mps == 0.0) record.vs30_mps = within(header.vs30_mps, fastest_mps);
+}
+
+void take_row(ImportedRecord& record, const ReportRow& row) {
+  record.event = row.event;
+  if (!row.rsn.empty()) record.station = row.station;
+  record.magnitude = row.magnitude;
+  record.magnitude_kind = row.magnitude_kind;
+  record.distance_km = row.distance_km;
+  record.distance_kind = row.distance_kind;
+  record.vs30_mps = row.vs30_mps;
+  record.scale = row.scale;
+}
+
+void compare_lengths(ImportedRecord& record, const Pieces& pieces, const ImportOptions& options) {
+  constexpr double most_apart_s = 1.0;
+  const auto end_s = [](const ComponentPiece& p) {
+    return p.found->dt_s * static_cast<double>(p.found->samples);
+  };
+  const auto [first, last] = std::ranges::minmax_element(pieces, {}, end_s);
+  if (end_s(*first) == end_s(*last)) return;
+  if (options.trim) {
+    record.end_s = to_twelve_digits(end_s(*first));
+  } else if (end_s(*last) - end_s(*first) > most_apart_s) {
+    record.warnings.push_back(fmt::format(
+        "{} ends at {:.4g} s, {} at {:.4g} s: zero from there on; --trim ends all there",
+        first->found->shown(), end_s(*first), last->found->shown(), end_s(*last)));
+  }
+}
+
+void compare_steps(ImportedRecord& record, const Pieces& pieces, const ImportOptions& options) {
+  const auto step = [](const ComponentPiece& p) { return p.found->dt_s; };
+  const auto [shortest, longest] = std::ranges::minmax_element(pieces, {}, step);
+  if (options.resample && step(*shortest) < step(*longest)) record.step_s = step(*shortest);
+}
+
+void warn_of_components(ImportedRecord& record, const Pieces& pieces) {
+  for (const ComponentPiece& piece : pieces) {
+    for (const std::string& fault : piece.found->faults)
+      record.warnings.push_back(piece.found->shown() + ": " + fault);
+    if (piece.direction->is_down)
+      record.warnings.push_back(piece.found->shown() +
+                                " is named down: it is read as it is, as up positive");
+    const auto by_name = component_direction(piece.name.direction);
+    if (by_name && by_name->is_vertical && !piece.direction->is_vertical)
+      record.warnings.push_back(fmt::format("{}: its name says {}, its header {}",
+                                            piece.found->shown(), in_quotes(piece.name.direction),
+                                            in_quotes(piece.found->header.direction)));
+  }
+  if (pieces.front().row == nullptr) return;
+  for (const std::string& file : pieces.front().row->files) {
+    const bool is_there = std::ranges::any_of(pieces, [&](const ComponentPiece& p) {
+      return lower_case(p.found->file.filename().string()) == lower_case(file);
+    });
+    if (!file.empty() && !is_there)
+      record.warnings.push_back("the report names " + in_quotes(file) +
+                                ", which is not among the files");
+  }
+}
+
+/// A to z, 0 to 9, and what does not act on a shell; unique.
+std::string id_of(const ComponentPiece& piece, std::set<std::string>& taken) {
+  constexpr std::size_t longest = 34;
+  std::string id;
+  for (const char c : piece.name.rest.substr(0, longest)) {
+    const bool is_plain = std::isalnum(static_cast<unsigned char>(c)) != 0 && (c & 0x80) == 0;
+    id += is_plain || c == '.' || c == '-' || c == '_' ? c : '_';
+  }
+  while (!id.empty() && (id.back() == '_' || id.back() == '-' || id.back() == '.')) id.pop_back();
+  if (id.empty()) id = "record";
+  std::string unique = id;
+  for (int number = 2; !taken.insert(unique).second; ++number)
+    unique = fmt::format("{}_{}", id, number);
+  return unique;
+}
+
+ImportedRecord record_of(const Pieces& pieces, const ImportOptions& options,
+                         std::set<std::string>& ids) {
+  ImportedRecord record;
+  record.id = id_of(pieces.front(), ids);
+  if (pieces.front().row != nullptr) take_row(record, *pieces.front().row);
+  for (const ComponentPiece& piece : pieces) take_header(record, piece.found->header);
+  std::size_t horizontal = 0;
+  for (const ComponentPiece& piece : pieces)
+    record.components[is_vertical(piece) ? vertical_at : horizontal++] = piece.component;
+  compare_steps(record, pieces, options);
+  compare_lengths(record, pieces, options);
+  warn_of_components(record, pieces);
+  return record;
+}
+
+/// Without what is given twice, under two names or in two formats, and dead channels.
+Pieces different_pieces(SuiteImport& found, const ReportIndex& report) {
+  Pieces pieces;
+  std::map<std::uint64_t, std::size_t> by_samples;
+  for (std::size_t i = 0; i < found.components.size(); ++i) {
+    const FoundComponent& component = found.components[i];
+    const std::string what = component.file.string() + component.address;
+    if (component.is_dead) {
+      found.left_out.push_back({what, component.faults.empty() ? "all its samples have one value"
+                                                               : component.faults.front()});
+      continue;
+    }
+    const auto [same, is_new] = by_samples.try_emplace(component.samples_hash, i);
+    if (is_new) {
+      pieces.push_back(piece_of(i, component, report));
+      continue;
+    }
+    const FoundComponent& first = found.components[same->second];
+    found.left_out.push_back(
+        {what,
+         fmt::format(
+             "a duplicate: the same {} as {}",
+             first.sha256 == component.sha256 && first.file != component.file ? "bytes" : "samples",
+             first.file.string() + first.address)});
+  }
+  return pieces;
+}
+
+std::map<std::string, Pieces> by_key(const Pieces& pieces, std::string ComponentPiece::*key) {
+  std::map<std::string, Pieces> groups;
+  for (const ComponentPiece& piece : pieces) groups[piece.*key].push_back(piece);
+  return groups;
+}
+
+void report_unused_rows(const SearchReport& report, const Pieces& pieces, SuiteImport& found) {
+  for (const ReportRow& row : report.rows) {
+    if (row.rsn.empty()) continue;  // a flatfile has all records of its data base
+    if (std::ranges::find(pieces, &row, &ComponentPiece::row) != pieces.end()) continue;
+    found.left_out.push_back({"RSN" + row.rsn + " of the report",
+                              "none of its files is here: " + in_quotes(row.files[0]) + " ..."});
+  }
+}
+
+}  // namespace
+
+void pair_components(SuiteImport& found, const SearchReport* report, const ImportOptions& options) {
+  const Pieces pieces = different_pieces(found, ReportIndex(report));
+  std::set<std::string> ids;
+  const auto take = [&](Pieces group) {
+    sort_pieces(group);
+    const std::string reason = reason_against(group, options);
+    if (reason.empty())
+      found.records.push_back(record_of(group, options, ids));
+    else
+      found.left_out.push_back({listed(group), reason});
+  };
+  for (const auto& [key, group] : by_key(pieces, &ComponentPiece::key)) {
+    if (is_one_record(group)) {
+      take(group);
+      continue;
+    }
+    for (const auto& [narrow, part] : by_key(group, &ComponentPiece::narrow_key)) take(part);
+  }
+  if (report != nullptr) report_unused_rows(*report, pieces, found);
+  std::ranges::sort(found.records, {}, &ImportedRecord::id);
+}
+
+}  // namespace glissade

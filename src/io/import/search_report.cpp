@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// PEER NGA-West2: "Time Series Search Report" (ngawest2.berkeley.edu, as downloaded 2019). ESM:
+// flat file with columns between semicolons (Lanzano et al. 2019, Bull. Earthquake Eng. 17).
+#include "import/search_report.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "glissade/core/error.hpp"
+#include "text/scan.hpp"
+
+namespace glissade {
+namespace {
+
+/// Cells without their quotes, in which separators may stand, and the blanks around them.
+std::vector<std::string> quoted_cells(std::string_view line, char separator) {
+  std::vector<std::string> cells(1);
+  bool is_quoted = false;
+  for (const char c : line) {
+    if (c == '"')
+      is_quoted = !is_quoted;
+    else if (c == separator && !is_quoted)
+      cells.emplace_back();
+    else
+      cells.back() += c;
+  }
+  for (std::string& cell : cells) cell = trimmed(cell);
+  return cells;
+}
+
+/// A heading and where its columns are.
+class ReportColumns {
+ public:
+  explicit ReportColumns(const std::vector<std::string>& names) {
+    for (const std::string& name : names) names_.push_back(lower_case(name));
+  }
+  bool have(std::string_view name) const {
+    return std::ranges::find(names_, lower_case(name)) != names_.end();
+  }
+  /// "": the table has no such column, or nothing in it.
+  std::string text(const std::vector<std::string>& row, std::string_view name) const {
+    const auto at =
+        static_cast<std::size_t>(std::ranges::find(names_, lower_case(name)) - names_.begin());
+    return at < row.size() ? row[at] : "";
+  }
+  /// 0 where it is no number above 0 and up to `most`: reports write "-", "-999" or nothing.
+  double number(const std::vector<std::string>& row, std::string_view name, double most) const {
+    const auto value = parse_number(text(row, name));
+    return value && *value > 0.0 && *value <= most ? *value : 0.0;
+  }
+  std::size_t size() const { return names_.size(); }
+
+ private:
+  std::vector<std::string> names_;
+};
+
+constexpr double largest_magnitude = 10.0, longest_km = 20'000.0, fastest_mps = 10'000.0,
+                 largest_scale = 1000.0;
+
+bool is_peer_heading(const ReportColumns& columns) {
+  return columns.have("Record Sequence Number") && columns.have("Horizontal-1 Acc. Filename");
+}
+bool is_esm_heading(const ReportColumns& columns) {
+  return columns.have("event_id") && columns.have("station_code") && columns.have("network_code");
+}
+
+/// "Friuli, Italy-01" of "Friuli_ Italy-01": the site writes no commas.
+std::string with_commas(std::string name) {
+  for (std::size_t at; (at = name.find("_ ")) != std::string::npos;) name[at] = ',';
+  return name;
+}
+
+/// "" of "-----".
+std::string peer_file(const std::string& name) {
+  return name.find_first_not_of("- ") == std::string::npos ? "" : name;
+}
+
+ReportRow peer_row(const ReportColumns& columns, const std::vector<std::string>& cells) {
+  ReportRow row;
+  row.rsn = columns.text(cells, "Record Sequence Number");
+  row.event = with_commas(columns.text(cells, "Earthquake Name"));
+  if (const std::string year = columns.text(cells, "Year"); !year.empty()) row.event += " " + year;
+  row.station = with_commas(columns.text(cells, "Station Name"));
+  row.magnitude = columns.number(cells, "Magnitude", largest_magnitude);
+  if (row.magnitude > 0.0) row.magnitude_kind = "Mw";
+  row.distance_km = columns.number(cells, "Rrup (km)", longest_km);
+  if (row.distance_km > 0.0) {
+    row.distance_kind = "rupture";
+  } else if ((row.distance_km = columns.number(cells, "Rjb (km)", longest_km)) > 0.0) {
+    row.distance_kind = "joyner_boore";
+  }
+  row.vs30_mps = columns.number(cells, "Vs30 (m/sec)", fastest_mps);
+  row.scale = columns.number(cells, "Scale Factor", largest_scale);
+  row.files = {peer_file(columns.text(cells, "Horizontal-1 Acc. Filename")),
+               peer_file(columns.text(cells, "Horizontal-2 Acc. Filename")),
+               peer_file(columns.text(cells, "Vertical Acc. Filename"))};
+  return row;
+}
+
+ReportRow esm_row(const ReportColumns& columns, const std::vector<std::string>& cells) {
+  ReportRow row;
+  row.event_id = columns.text(cells, "event_id");
+  row.station = columns.text(cells, "network_code") + "." + columns.text(cells, "station_code");
+  for (const auto& [column, kind] : {std::pair{"Mw", "Mw"}, {"EMEC_Mw", "Mw"}, {"ML", "ML"}}) {
+    row.magnitude = columns.number(cells, column, largest_magnitude);
+    row.magnitude_kind = row.magnitude > 0.0 ? kind : "";
+    if (row.magnitude > 0.0) break;
+  }
+  for (const auto& [column, kind] : {std::pair{"rup_dist", "rupture"},
+                                     {"JB_dist", "joyner_boore"},
+                                     {"epi_dist", "epicentral"}}) {
+    row.distance_km = columns.number(cells, column, longest_km);
+    row.distance_kind = row.distance_km > 0.0 ? kind : "";
+    if (row.distance_km > 0.0) break;
+  }
+  row.vs30_mps = columns.number(cells, "vs30_m_sec", fastest_mps);
+  return row;
+}
+
+void warn_of_scaling(std::string_view text, SearchReport& report) {
+  const bool is_scaled = std::ranges::any_of(
+      report.rows, [](const ReportRow& row) { return row.scale > 0.0 && row.scale != 1.0; });
+  if (is_scaled && text.find("UNSCALED") == std::string_view::npos)
+    report.warnings.emplace_back(
+        "has scale factors, and does not state that the files are unscaled: are the factors in "
+        "them already? They are written into the suite");
+}
+
+}  // namespace
+
+bool is_search_report(std::string_view text) {
+  constexpr std::size_t most_lines = 200;
+  LineReader lines(text);
+  while (lines.number() < most_lines && lines.next()) {
+    if (lines.line().find("Record Sequence Number,") != std::string_view::npos ||
+        lines.line().starts_with("event_id"))
+      return true;
+  }
+  return false;
+}
+
+SearchReport read_search_report(const TextFile& file) {
+  refuse_no_text(file.path, file.text);
+  SearchReport report{file.path, {}, {}};
+  LineReader lines(file.text);
+  bool is_known = false;
+  while (lines.next()) {
+    if (lines.line().find("Record Sequence Number") == std::string_view::npos &&
+        lines.line().find("event_id") == std::string_view::npos)
+      continue;
+    const char separator =
+        std::ranges::count(lines.line(), ';') > std::ranges::count(lines.line(), ',') ? ';' : ',';
+    const ReportColumns columns(quoted_cells(lines.line(), separator));
+    const bool is_peer = is_peer_heading(columns);
+    if (!is_peer && !is_esm_heading(columns)) continue;
+    is_known = true;
+    // The table goes on to the first line that is none of its rows.
+    for (LineReader ahead = lines; ahead.next(); lines = ahead) {
+      const auto cells = quoted_cells(ahead.line(), separator);
+      if (cells.size() < columns.size()) break;
+      report.rows.push_back(is_peer ? peer_row(columns, cells) : esm_row(columns, cells));
+    }
+  }
+  if (!is_known || report.rows.empty())
+    throw InputError({file.path.string(),
+                      is_known ? "its table of records has no rows"
+                               : "has no table of records with the columns of a report",
+                      "give the _SearchResults.csv of PEER's NGA-West2 data base (Record Sequence "
+                      "Number, Horizontal-1 Acc. Filename), or the flatfile of ESM (event_id, "
+                      "network_code, station_code)",
+                      ""});
+  warn_of_scaling(file.text, report);
+  return report;
+}
+
+}  // namespace glissade

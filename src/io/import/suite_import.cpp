@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "glissade/io/suite_import.hpp"
+
+#include <fmt/format.h>
+
+#include "glissade/core/error.hpp"
+#include "glissade/core/file.hpp"
+#include "glissade/core/printable.hpp"
+#include "import/found_files.hpp"
+#include "import/pairing.hpp"
+#include "records/record_entry.hpp"
+#include "text/scan.hpp"
+#include "toml/toml_text.hpp"
+
+namespace glissade {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// What is wrong with a file, without its name.
+std::string reason_of(const InputError& error) {
+  const Problem& problem = error.problems().front();
+  return problem.what + (problem.suggestion.empty() ? "" : "; " + problem.suggestion);
+}
+
+std::optional<SearchReport> report_of(const ImportOptions& options) {
+  if (!options.report) return std::nullopt;
+  return read_search_report(*options.report);
+}
+
+bool is_same_file(const fs::path& one, const std::optional<fs::path>& other) {
+  std::error_code ignored;
+  return other && fs::equivalent(one, *other, ignored);
+}
+
+ComponentEntry entry_of(const FoundComponent& component, const fs::path& folder) {
+  ComponentEntry entry;
+  entry.file = relative_path(component.file, folder) + component.address;
+  entry.options.dt_s = component.stated_dt_s;
+  entry.sha256 = component.sha256;
+  return entry;
+}
+
+}  // namespace
+
+bool is_suite_file(const fs::path& path) {
+  std::error_code ignored;
+  if (fs::is_directory(path, ignored)) return false;
+  if (path.extension() == ".toml" || !fs::exists(path, ignored)) return true;
+  const std::string text = read_text_file(path);
+  for (LineReader lines(text); lines.next();)
+    if (trimmed(lines.line()).starts_with("[suite]")) return true;
+  return false;
+}
+
+SuiteImport import_suite(const ImportOptions& options) {
+  const std::optional<SearchReport> report = report_of(options);
+  SuiteImport found;
+  for (const fs::path& file : found_files(options.inputs, found.left_out)) {
+    if (is_same_file(file, options.report)) continue;
+    if (printable_name(file.string()) != file.string()) {
+      found.left_out.push_back(
+          {file.string(), "its name has control characters or is no UTF-8: rename it"});
+      continue;
+    }
+    try {
+      for (FoundComponent& component : read_components(file, options.missing))
+        found.components.push_back(std::move(component));
+    } catch (const InputError& error) {
+      found.left_out.push_back({file.string(), reason_of(error)});
+    }
+  }
+  if (report) found.warnings = report->warnings;
+  pair_components(found, report ? &*report : nullptr, options);
+  return found;
+}
+
+std::string imported_suite_toml(const SuiteImport& found, const ImportedSuiteHead& head,
+                                const fs::path& folder) {
+  std::string text;
+  for (const std::string& comment : head.comments) text += "# " + printable_name(comment) + "\n";
+  text += fmt::format("\n[suite]\nname = {}\n", quoted(head.name));
+  if (head.units) text += fmt::format("units = {}\n", quoted(to_string(*head.units)));
+  constexpr const char* keys[] = {"first", "second", "vertical"};
+  for (const ImportedRecord& record : found.records) {
+    RecordEntry entry;
+    entry.metadata.id = record.id;
+    entry.metadata.event = record.event;
+    entry.metadata.station = record.station;
+    entry.metadata.magnitude = record.magnitude;
+    entry.metadata.distance_km = record.distance_km;
+    entry.metadata.vs30_mps = record.vs30_mps;
+    entry.metadata.scale = record.scale;
+    entry.magnitude_kind = record.magnitude_kind == "Mw" ? "" : record.magnitude_kind;
+    entry.distance_kind = record.distance_kind == "rupture" ? "" : record.distance_kind;
+    entry.step_s = record.step_s;
+    entry.end_s = record.end_s;
+    for (std::size_t i = 0; i < record.components.size(); ++i)
+      if (record.components[i])
+        entry.components[keys[i]] = entry_of(found.components[*record.components[i]], folder);
+    text += record_toml(entry);
+  }
+  return text;
+}
+
+}  // namespace glissade
