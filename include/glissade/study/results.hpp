@@ -49,6 +49,7 @@ struct SuiteSpectra {
 /// The model in sentences, empty where there is nothing to report, and the earthquakes it is under.
 struct ModelText {
   std::string kernel;        ///< what computed the histories
+  std::string modes;         ///< of a building of several: which, how many, how much of its mass
   std::string building;      ///< how it yields
   std::string friction;      ///< what differs from Coulomb's law
   std::string displacement;  ///< of two axes: what a history's displacement is

@@ -171,6 +171,7 @@ void exchange_run(const Archive& archive, R& results) {
   archive.attribute("plan_hash", results.plan_hash);
   archive.attribute("program_version", results.program_version);
   archive.attribute("model_kernel", results.model.kernel);
+  archive.attribute("model_modes", results.model.modes);
   archive.attribute("model_building", results.model.building);
   archive.attribute("model_friction", results.model.friction);
   archive.attribute("model_displacement", results.model.displacement);

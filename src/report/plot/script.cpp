@@ -38,23 +38,26 @@ std::string as_format(const std::string& label) {
   return format;
 }
 
-void add_ticks(Script& script, const std::vector<Tick>& ticks) {
-  script.add("(");
-  for (std::size_t i = 0; i < ticks.size(); ++i) {
-    if (i > 0) script.add(", ");
-    script.add("{} {}", Quoted(as_format(ticks[i].label)), ticks[i].at);
-  }
-  script.add(")\n");
-}
-
 /// Characters in a line of a heading that is as wide as the figure.
 constexpr std::size_t title_width = 78, panel_title_width = 28, below_width = 90;
+constexpr std::size_t tick_width = 18;  // beside the y axis
 
 /// The text in lines no longer than the figure is wide.
 void add_lines(Script& script, const std::string& text, std::size_t width, Quoted::Weight weight) {
   const std::vector<std::string> lines = wrapped(text, width);
   for (std::size_t i = 0; i < lines.size(); ++i)
     script.add("{}{}", i == 0 ? Word("") : Word(".\"\\n\"."), Quoted(lines[i], weight));
+}
+
+/// Labels in lines of at most `width` characters.
+void add_ticks(Script& script, const std::vector<Tick>& ticks, std::size_t width) {
+  script.add("(");
+  for (std::size_t i = 0; i < ticks.size(); ++i) {
+    if (i > 0) script.add(", ");
+    add_lines(script, as_format(ticks[i].label), width, Quoted::Weight::plain);
+    script.add(" {}", ticks[i].at);
+  }
+  script.add(")\n");
 }
 
 void add_axis(Script& script, Word which, const Axis& axis, std::size_t label_width) {
@@ -72,7 +75,7 @@ void add_axis(Script& script, Word which, const Axis& axis, std::size_t label_wi
     for (const Tick& tick : axis.ticks) characters += tick.label.size() + 2;
     const bool turned = name == "x" && characters > label_width;  // else they touch
     script.add("{}", turned ? Word("rotate by 30 right ") : Word(""));
-    add_ticks(script, axis.ticks);
+    add_ticks(script, axis.ticks, name == "x" ? label_width : tick_width);
   }
 }
 

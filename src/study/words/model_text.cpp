@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "glissade/motion/design_spectrum.hpp"
+#include "glissade/study/cases/case_scene.hpp"
 
 namespace glissade {
 namespace {
@@ -52,6 +53,20 @@ std::string displacement_text(const ModelConfig& model) {
          "is not less than the longest displacement vector. ";
 }
 
+std::string name_of(const BuildingModel& model) {
+  switch (model.kind) {
+    case BuildingModel::Kind::one_mass:
+      break;
+    case BuildingModel::Kind::cantilever:
+      return "a uniform cantilever of flexure and shear (Miranda & Taghavi 2005)";
+    case BuildingModel::Kind::storeys:
+      return "a shear building";
+    case BuildingModel::Kind::modes:
+      return "the stated modes";
+  }
+  return "one mass";
+}
+
 }  // namespace
 
 /// Suites that differ in S_DS have no common one.
@@ -67,10 +82,38 @@ double dbe_level(const Plan& plan) {
   return level;
 }
 
+std::string modes_text(const Plan& plan) {
+  const BuildingModel& model = plan.config.building;
+  if (model.is_one_mass()) return "";
+  constexpr std::size_t looked_at = 200;  // cases
+  std::size_t fewest = most_modes, most = 0;
+  double least_mass = 1.0, most_mass = 0.0;
+  const std::size_t step = plan.cases.size() / looked_at + 1;
+  for (std::size_t i = 0; i < plan.cases.size(); i += step) {
+    const std::array<Modes, 2> axes = building_axes(plan.cases[i], model);
+    for (std::size_t axis = 0; axis < (plan.config.two_axes() ? 2 : 1); ++axis) {
+      const double mass = mass_of({axes[axis].begin(), axes[axis].size()});
+      fewest = std::min(fewest, axes[axis].size());
+      most = std::max(most, axes[axis].size());
+      least_mass = std::min(least_mass, mass);
+      most_mass = std::max(most_mass, mass);
+    }
+  }
+  return fmt::format(
+      "{}: {} modes along an axis, with {} % of its mass", name_of(model),
+      fewest == most ? fmt::format("{}", most) : fmt::format("{} to {}", fewest, most),
+      most_mass - least_mass < 0.005
+          ? fmt::format("{:.0f}", 100 * most_mass)
+          : fmt::format("{:.0f} to {:.0f}", 100 * least_mass, 100 * most_mass));
+}
+
 ModelText model_text(const Plan& plan) {
   const Quantities& q = plan.config.quantities;
   return {describe(plan.kernel.kernel, plan.config.base_shear) + "; because " + plan.kernel.reason,
-          building_text(q), friction_text(q), displacement_text(plan.config.model),
+          modes_text(plan),
+          building_text(q),
+          friction_text(q),
+          displacement_text(plan.config.model),
           dbe_level(plan)};
 }
 

@@ -8,6 +8,7 @@ namespace glissade {
 
 ModelText model_text(const Plan& plan);
 /// As in ModelText.
+std::string modes_text(const Plan& plan);
 double dbe_level(const Plan& plan);
 
 }  // namespace glissade

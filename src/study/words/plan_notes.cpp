@@ -10,7 +10,6 @@
 #include <map>
 #include <span>
 
-#include "glissade/study/cases/case_scene.hpp"
 #include "glissade/study/plan/one_mass.hpp"
 #include "words/model_text.hpp"
 
@@ -77,52 +76,16 @@ std::vector<std::string> notes_on_records(const Plan& plan) {
   return notes;
 }
 
-std::string name_of(const BuildingModel& model) {
-  switch (model.kind) {
-    case BuildingModel::Kind::one_mass:
-      break;
-    case BuildingModel::Kind::cantilever:
-      return "a uniform cantilever of flexure and shear (Miranda & Taghavi 2005)";
-    case BuildingModel::Kind::storeys:
-      return "a shear building";
-    case BuildingModel::Kind::modes:
-      return "the stated modes";
-  }
-  return "one mass";
-}
-
-/// How many modes the cases have, and how much of the mass: of some hundred cases.
 std::vector<std::string> notes_on_building(const Plan& plan) {
-  const BuildingModel& model = plan.config.building;
-  if (model.is_one_mass()) {
+  if (plan.config.building.is_one_mass()) {
     // The storeys of a study's building are not known.
     std::string text = one_mass_sentence(
         std::nullopt, plan.config.quantities.at("building", "period_s").largest());
     if (text.empty()) return {};
     return {std::move(text)};
   }
-  constexpr std::size_t looked_at = 200;
-  std::size_t fewest = most_modes, most = 0;
-  double least_mass = 1.0, most_mass = 0.0;
-  const std::size_t step = plan.cases.size() / looked_at + 1;
-  for (std::size_t i = 0; i < plan.cases.size(); i += step) {
-    const std::array<Modes, 2> axes = building_axes(plan.cases[i], model);
-    for (std::size_t axis = 0; axis < (plan.config.two_axes() ? 2 : 1); ++axis) {
-      const double mass = mass_of({axes[axis].begin(), axes[axis].size()});
-      fewest = std::min(fewest, axes[axis].size());
-      most = std::max(most, axes[axis].size());
-      least_mass = std::min(least_mass, mass);
-      most_mass = std::max(most_mass, mass);
-    }
-  }
-  std::vector<std::string> notes = {fmt::format(
-      "the building is {}: {} modes along an axis, with {} % of its mass; modes that are left out "
-      "move with the ground",
-      name_of(model),
-      fewest == most ? fmt::format("{}", most) : fmt::format("{} to {}", fewest, most),
-      most_mass - least_mass < 0.005
-          ? fmt::format("{:.0f}", 100 * most_mass)
-          : fmt::format("{:.0f} to {:.0f}", 100 * least_mass, 100 * most_mass))};
+  std::vector<std::string> notes = {"the building is " + modes_text(plan) +
+                                    "; modes that are left out move with the ground"};
   if (std::ranges::any_of(plan.config.quantities.at("building", "mass_ratio").values,
                           [](double ratio) { return ratio > 0.0; }) ||
       plan.config.quantities.at("building", "mass_ratio").is_drawn())

@@ -186,12 +186,13 @@ GridValues slip_grid(const Results& results, std::size_t level) {
   return grid;
 }
 
-/// "buildings of T 0.2 to 2 s".
-std::string building_text(const Chart& chart) {
-  const auto [low, high] = std::ranges::minmax(chart.period_s);
+/// "buildings of one mass, T 0.2 to 2 s".
+std::string building_text(const Results& results) {
+  const auto [low, high] = std::ranges::minmax(results.chart->period_s);
   if (high == 0.0) return "rigid building";
-  return low == high ? fmt::format("building of T {:g} s", low)
-                     : fmt::format("buildings of T {:g} to {:g} s", low, high);
+  const char* model = results.model.modes.empty() ? "one mass" : "several modes";
+  return low == high ? fmt::format("building of {}, T {:g} s", model, low)
+                     : fmt::format("buildings of {}, T {:g} to {:g} s", model, low, high);
 }
 
 /// The region where friction cannot hold the array: mu <= tan(slope).
@@ -241,7 +242,7 @@ Figure chart_contours_figure(const Results& results) {
       one_record ? "Peak slip over friction and roof slope"
                  : design_title(results) + " over friction and roof slope",
       at_intensity(results, results.levels[level]) + "; " + results.suites.front().name + "; " +
-          building_text(chart),
+          building_text(results),
       (one_record ? "Lines of equal peak slip"
                   : "Lines of equal " + design_name(results) + ", " + clearance_rule(results)) +
           "; what linear interpolation in tables/chart.csv gives. Find the coefficient of friction "

@@ -164,13 +164,16 @@ std::string drawn_friction(const Results& results) {
 std::string how_counted(const Results& results) {
   const std::vector<double>& periods = results.chart->period_s;
   const std::size_t samples = results.cases.samples;
+  const std::string model =
+      results.model.modes.empty() ? "one mass: one storey" : results.model.modes;
   const std::string building =
       periods.size() > 1
-          ? fmt::format("the largest over {} building periods from {} to {} s", periods.size(),
-                        brief(periods.front()), brief(periods.back()))
+          ? fmt::format("the largest over {} building periods from {} to {} s ({})", periods.size(),
+                        brief(periods.front()), brief(periods.back()), model)
       : results.suites.front().of_roof ? "on the motions of the roof"
-      : periods.front() == 0.0         ? "on a rigid building"
-                               : fmt::format("for a building period of {} s", brief(periods[0]));
+      : periods.front() == 0.0
+          ? "on a rigid building"
+          : fmt::format("for a building period of {} s ({})", brief(periods[0]), model);
   const std::string largest = largest_over(results);
   const std::string of_each = largest.empty() ? "in its orientation" : "with " + largest;
   if (is_one_record(results)) {

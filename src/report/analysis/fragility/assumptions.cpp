@@ -41,11 +41,15 @@ std::string building_text(const Results& results) {
   if (period.max == 0.0) return "Rigid: the roof moves as the ground does.";
   const bool yields = !results.model.building.empty();
   const Range<double> mass = range_of(cases, &Case::mass_ratio);
+  const std::string model =
+      results.model.modes.empty()
+          ? fmt::format("A {}single-degree-of-freedom oscillator{} ({}no higher modes), one storey",
+                        yields ? "" : "linear ",
+                        slides_on_two_axes(results) ? " along each horizontal axis" : "",
+                        yields ? "" : "no yielding, ")
+          : "Linear, no yielding. It is " + results.model.modes + ",";
   return fmt::format(
-      "A {}single-degree-of-freedom oscillator{} ({}no higher modes) with "
-      "periods of {} and damping ratios of {}. {}{}",
-      yields ? "" : "linear ", slides_on_two_axes(results) ? " along each horizontal axis" : "",
-      yields ? "" : "no yielding, ", range_text(period, " s"),
+      "{} with first periods of {} and damping ratios of {}. {}{}", model, range_text(period, " s"),
       range_text(range_of(cases, &Case::damping), ""), results.model.building,
       mass.max == 0.0
           ? "The array's mass is neglected: it does not change the building's motion."

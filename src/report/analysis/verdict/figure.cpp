@@ -14,7 +14,7 @@
 namespace glissade {
 namespace {
 
-constexpr std::size_t most_lines = 4, most_panels = 4;
+constexpr std::size_t most_lines = 6, most_panels = 4;
 
 std::vector<double> some_of(const std::set<double>& values, std::size_t count) {
   const std::vector<double> all(values.begin(), values.end());
@@ -108,9 +108,10 @@ Figure verdict_figure(const Results& results) {
       fmt::format("Displacement that {:g} % exceed at DBE, over that of {}", accepted,
                   standard_name(standard)),
       results.suites.front().name + ", " + counts_of(results) +
-          "; the governing building period; at the lines: friction; bars: 95 % over records" +
+          "; the governing building; at the lines: friction; bars: 95 % over records" +
           (has_upper_ends(verdict) ? "" : ", lower ends (upper ends: none)"),
-      fmt::format("At the lines: coefficient of friction. Above 1 the prescribed displacement is "
+      fmt::format("Governing: the building with the largest ratio. At the lines: coefficient of "
+                  "friction. Above 1 the prescribed displacement is "
                   "exceeded with more than {:g} % probability, given the design earthquake. Bars: "
                   "95 % intervals over records; one that ends at its point has no upper end: the "
                   "records are too few for one. Dotted: what the other standard prescribes over "
@@ -150,7 +151,7 @@ Figure verdict_separations_figure(const Results& results) {
                   standard_name(standard)),
       results.suites.front().name + ", " + counts_of(results) + "; arrays " +
           neighbours_text(results) +
-          "; the governing building period; at the lines: friction; bars: 95 % over records",
+          "; the governing building; at the lines: friction; bars: 95 % over records",
       fmt::format(
           "At the lines: coefficient of friction of the array; that of its neighbour is drawn "
           "(study). The larger of the gaps along and across the slope. Horizontal line: {:g} %. "
