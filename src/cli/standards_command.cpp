@@ -161,7 +161,7 @@ void run(const StandardsOptions& o) {
   for (const std::string& note :
        {analysis_provision(Standard::asce7_16), analysis_provision(Standard::seaoc_pv1_2012),
         pull_test_provision()})
-    put("note  {}\n", wrapped(note, terminal_width, 6));
+    put("note  {}\n", wrapped(note + " (recalled: verify)", terminal_width, 6));
 }
 
 }  // namespace

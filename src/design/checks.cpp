@@ -62,7 +62,7 @@ std::vector<DesignCheck> spectrum_checks(const Project& project, const Results& 
                      longest_s)),
        fmt::format("{:.3f} or more{}", ratio,
                    project.without_target ? "" : "; the studies scale the suite to there"),
-       fmt::format("{:g} or more (ASCE 7-16, 16.2, recalled)", least_over_target_beyond),
+       fmt::format("{:g} or more (ASCE 7-16, 16.2)", least_over_target_beyond),
        ratio >= least_over_target_beyond - rounding});
   return checks;
 }
@@ -79,7 +79,7 @@ DesignCheck roof_check(const DesignClearance& design) {
                                                     roof.median_g / *roof.asce7_22_g)
                                       : ""),
           fmt::format("{:g} or more of the acceleration of a roof by ASCE 7-16, 13.3.1, {:.3f} "
-                      "g{} (recalled); the limit is of this program",
+                      "g{}; the limit is of this program",
                       least, roof.asce7_16_g,
                       roof.asce7_22_g
                           ? fmt::format(", and by ASCE 7-22, 13.3.1, {:.3f} g", *roof.asce7_22_g)
@@ -148,10 +148,10 @@ std::string unchecked_spectrum(const ProjectSite& site) {
   if (site.target.period_s.empty() || site.mapped) return "";
   return site.target.edition == AsceEdition::asce7_22
              ? "the spectrum is taken for the multi-period one of ASCE 7-22, 11.4.5.1; whether one "
-               "of a site-specific analysis is 80 % of that or more (21.3, recalled: verify) is "
+               "of a site-specific analysis is 80 % of that or more (21.3) is "
                "not checked"
              : "whether the site-specific spectrum is 80 % of that of the site class or more "
-               "(ASCE 7-16, 21.3, recalled: verify) is not checked: give site.ss_g, s1_g and "
+               "(ASCE 7-16, 21.3) is not checked: give site.ss_g, s1_g and "
                "site_class beside the spectrum";
 }
 
@@ -187,9 +187,7 @@ DesignCheck site_specific_check(const ProjectSite& site) {
   }
   return {"site-specific spectrum over that of S_S, S_1 and site class",
           fmt::format("{:.3f} or more (at {:.3g} s)", lowest.ratio, lowest.period_s),
-          fmt::format(
-              "{:g} or more (ASCE 7-16, 21.3, recalled: verify, with F_a and F_v of that section)",
-              least),
+          fmt::format("{:g} or more (ASCE 7-16, 21.3, with F_a and F_v of that section)", least),
           lowest.ratio >= least};
 }
 
@@ -235,9 +233,10 @@ std::vector<std::string> choices_of(const Project& project) {
   const auto prescribed = prescribed_values(project, site_values(project.site));
   const auto standard = std::ranges::find(prescribed, project.standard, &PrescribedValue::standard);
   add(!standard->may_be_used(), conditions_text(*standard));
-  add(site_7_16 && !project.site.target.is_mapped() && project.site.target.period_s.empty(),
+  add(site_7_16 && !project.site.target.is_mapped() && project.site.target.period_s.empty() &&
+          project.site.hazard_analysis.empty(),
       "S_DS and S_D1 are stated without S_S, S_1 and site class: whether ASCE 7-16, 11.4.8 "
-      "(recalled: verify) requires a ground motion hazard analysis is not checked");
+      "requires a ground motion hazard analysis is not checked");
   const std::string unchecked = unchecked_spectrum(project.site);
   add(!unchecked.empty(), unchecked);
   add(!project.of_roof && !project.site.states_tl && project.site.target.period_s.empty(),
@@ -290,13 +289,19 @@ std::vector<std::string> reservations_on(const Project& project, const DesignCle
   if (std::string unchecked = unchecked_spectrum(project.site);
       !unchecked.empty() && project.site.target.edition != AsceEdition::asce7_22)
     found.push_back(std::move(unchecked));
-  if (std::string required = hazard_analysis_required(project.site.target); !required.empty())
-    found.push_back(std::move(required));
+  if (std::string required = hazard_analysis_required(project.site.target);
+      !required.empty() && project.site.hazard_analysis.empty())
+    found.push_back(required + ": state site.hazard_analysis");
   if (const PrescribedValue& value = of_standard(project, design); !value.may_be_used())
     found.push_back(conditions_text(value));
   for (const DesignCheck& check : design.checks)
     if (!check.is_met) found.push_back(not_met_text(check));
   return found;
+}
+
+bool is_of_hazard_analysis(const Project& project, const std::string& warning) {
+  const std::string required = hazard_analysis_required(project.site.target);
+  return !required.empty() && warning.starts_with(required);
 }
 
 std::vector<std::string> records_with_uplift(const Results& results, std::size_t level) {
@@ -325,7 +330,7 @@ std::vector<DesignCheck> checks_before_analysis(const Project& project, std::siz
   std::vector<DesignCheck> checks;
   checks.push_back({"records", fmt::format("{}", records),
                     fmt::format("{} or more; of fewer the largest counts in place of the mean "
-                                "(SEAOC PV1-2012, recalled)",
+                                "(SEAOC PV1-2012)",
                                 least_records),
                     records >= least_records});
   if (project.site.mapped) checks.push_back(site_specific_check(project.site));
@@ -405,7 +410,9 @@ std::vector<DesignCheck> checks_of(const Project& project, const Results& demand
 std::vector<std::string> warnings_on(const Project& project, const Results& demand,
                                      const DesignClearance& design) {
   std::vector<std::string> warnings = choices_of(project);
-  warnings.insert(warnings.end(), demand.warnings.begin(), demand.warnings.end());
+  std::ranges::remove_copy_if(
+      demand.warnings, std::back_inserter(warnings),
+      [&](const std::string& warning) { return is_of_hazard_analysis(project, warning); });
   for (const DesignCheck& check : design.checks) {
     if (!check.is_met) warnings.push_back(not_met_text(check));
   }

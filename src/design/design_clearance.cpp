@@ -62,18 +62,29 @@ const SuiteMean& governing_mean(const Project& project, const Results& demand, d
   return *governing;
 }
 
-PeriodDemand demand_at(const Results& demand, const SuiteMean& mean) {
+/// Under each record, all in the orientation with the largest mean.
+struct WorstOrientation {
+  std::string orientation;
+  std::vector<double> by_record_m;
+};
+
+WorstOrientation worst_orientation(const Results& demand, const SuiteMean& mean) {
   const ConditionTable& table = *demand.conditions;
   const auto condition = static_cast<std::size_t>(
       &found_in(table.first_case, mean.first_case, "a condition") - table.first_case.data());
   const auto worst = static_cast<std::size_t>(std::ranges::max_element(mean.by_orientation) -
                                               mean.by_orientation.begin());
-  std::vector<double> by_record;
+  WorstOrientation found{to_string(table.orientations[worst]), {}};
   for (std::size_t record = 0; record < demand.records.size(); ++record)
-    by_record.push_back(table.at(record, worst, condition).displacement_m);
+    found.by_record_m.push_back(table.at(record, worst, condition).displacement_m);
+  return found;
+}
+
+PeriodDemand demand_at(const Results& demand, const SuiteMean& mean) {
+  auto [orientation, by_record] = worst_orientation(demand, mean);
   std::ranges::sort(by_record);
   return {.period_s = mean.period_s,
-          .orientation = to_string(table.orientations[worst]),
+          .orientation = orientation,
           .mean_m = mean.range.highest,
           .p84_m = quantile_of(by_record, 0.84),
           .p95_m = quantile_of(by_record, 0.95),
@@ -191,6 +202,9 @@ DesignClearance design_clearance(const Project& project, const Results& demand,
   design.vertical = inputs.vertical;
   design.period_s = governing.period_s;
   design.alpha = inputs.alpha;
+  WorstOrientation worst = worst_orientation(demand, governing);
+  design.orientation = std::move(worst.orientation);
+  design.by_record_m = std::move(worst.by_record_m);
   design.factor = demand.clearance->factor;
   design.of_largest = demand.records.size() < least_records;
   design.analysis_m = required_m(demand, governing);
@@ -345,20 +359,21 @@ void add_exceedance(const Project& project, const Results& probability, DesignCl
   design.checks.push_back(
       {"probability that the governing displacement is exceeded at the DBE",
        is_rare || !std::isfinite(design.accepted.displacement_m)
-           ? fmt::format("{:.2g} %", 100.0 * at_dbe.probability)
-           : fmt::format("{:.2g} %; {:g} % from {} on", 100.0 * at_dbe.probability,
+           ? fmt::format("{:.3g} %", 100.0 * at_dbe.probability)
+           : fmt::format("{:.3g} %; {:g} % from {} on", 100.0 * at_dbe.probability,
                          100.0 * accepted_exceedance,
                          both_units(design.accepted.displacement_m, project.units)),
        fmt::format("{:g} % or less (a limit of this program)", 100.0 * accepted_exceedance),
        is_rare});
   if (!is_rare)
     design.warnings.push_back(
-        fmt::format("the governing displacement is exceeded with a probability of {:.2g} % at the "
-                    "DBE and {:.2g} % at the MCE",
+        fmt::format("the governing displacement is exceeded with a probability of {:.3g} % at the "
+                    "DBE and {:.3g} % at the MCE",
                     100.0 * at_dbe.probability, 100.0 * design.compared.front().mce.probability));
   for (std::string warning : probability.warnings) {
     if (warning.find("[shape]") != std::string::npos) continue;  // of fitted curves: none is used
-    const std::string key = " (intensity.levels)";               // which a project has not
+    if (is_of_hazard_analysis(project, warning)) continue;
+    const std::string key = " (intensity.levels)";  // which a project has not
     if (const std::size_t at = warning.find(key); at != std::string::npos)
       warning.erase(at, key.size());
     if (std::ranges::find(design.warnings, warning) == design.warnings.end())

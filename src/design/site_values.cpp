@@ -40,6 +40,10 @@ bool PrescribedValue::may_be_used() const {
 
 std::string PrescribedValue::not_met() const { return not_met_text(conditions); }
 
+std::string PrescribedValue::violated() const {
+  return not_met_text(conditions, /*unknown=*/false);
+}
+
 ArrayFacts facts_of(const Project& project, const SiteValues& site) {
   return {.slope_deg = project.slope_deg.back(),
           .friction = project.friction.design(),

@@ -99,7 +99,7 @@ std::string hazard_analysis_required(const DesignTarget& target) {
   for (const SiteClass site : target.site_classes) {
     if (needs_hazard_analysis(target, site))
       return fmt::format(
-          "ASCE 7-16, 11.4.8 (recalled: verify) requires a ground motion hazard analysis of the "
+          "ASCE 7-16, 11.4.8, requires a ground motion hazard analysis of the "
           "site, or an exception, for site class {} with S_S {:g} g and S_1 {:g} g",
           to_string(site), target.ss_g, target.s1_g);
   }
@@ -138,7 +138,7 @@ std::vector<std::string> improbable_values(const DesignTarget& target) {
         "site class B: F_a and F_v are those of a measured shear wave velocity; without one ASCE "
         "7-16, 11.4.3 (recalled: verify), requires 1.0, which is more");
   if (std::string required = hazard_analysis_required(target); !required.empty())
-    found.push_back(std::move(required));
+    found.push_back(required + " (recalled: verify)");
   return found;
 }
 

@@ -161,10 +161,11 @@ std::vector<std::string> notes_on(const PullTestSummary& summary) {
     for (std::string& note : notes_on_trace(test)) notes.push_back(std::move(note));
   const bool knows_speed = std::ranges::any_of(
       summary.tests, [](const TraceFriction& t) { return !std::isnan(t.speed_mps); });
-  notes.push_back(pull_test_provision() + (summary.tests.empty()
-                                               ? "; travel and speed are not in the file"
-                                           : knows_speed ? ""
-                                                         : "; the speed is not in the file"));
+  notes.push_back(pull_test_provision() +
+                  (summary.tests.empty() ? "; travel and speed are not in the file"
+                   : knows_speed         ? ""
+                                         : "; the speed is not in the file") +
+                  " (recalled: verify)");
   return notes;
 }
 

@@ -100,9 +100,9 @@ std::string analysis_provision(Standard standard) {
                "components; "
                "1.1 times their average with 7 or more motions, else 1.1 times the largest; half "
                "of "
-               "the prescribed value or more, unless peer reviewed (recalled: verify)"
+               "the prescribed value or more, unless peer reviewed"
              : "ASCE 7-16 allows an analysis or shake-table tests in place of its value, not below "
-               "80 % of that unless peer reviewed (recalled: verify)";
+               "80 % of that unless peer reviewed";
 }
 
 std::string not_met_text(const std::vector<CodeCondition>& conditions, bool unknown) {

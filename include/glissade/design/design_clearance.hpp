@@ -49,6 +49,8 @@ struct PrescribedValue {
   bool may_be_used() const;
   /// Of the conditions that are not met or not known; else empty.
   std::string not_met() const;
+  /// Of those that are known not to be met.
+  std::string violated() const;
 };
 /// What both standards judge: the friction by its design value, which is below the mean.
 ArrayFacts facts_of(const Project& project, const SiteValues& site);
@@ -114,7 +116,9 @@ struct DesignClearance {
   SiteValues site;
   double slope_deg = 0.0, mass_ratio = 0.0, period_s = 0.0, alpha = 0.0;  ///< of the governing case
   VerticalChoice vertical = VerticalChoice::if_available;                 ///< likewise
-  std::vector<PeriodDemand> demand;                                       ///< by period
+  std::string orientation;                                                ///< likewise
+  std::vector<double> by_record_m;   ///< likewise: the displacement under each record
+  std::vector<PeriodDemand> demand;  ///< by period
   std::vector<RoofPeak> roof;
   double factor = 1.1;
   bool of_largest = false;  ///< fewer than 7 records: the largest counts in place of the mean
@@ -152,6 +156,9 @@ std::vector<std::string> reservations_on(const Project& project, const DesignCle
 /// What the project states that makes the result smaller, or that is improbable: warnings that need
 /// no analysis.
 std::vector<std::string> choices_of(const Project& project);
+
+/// A warning of a study about what is a condition of the package (ASCE 7-16, 11.4.8).
+bool is_of_hazard_analysis(const Project& project, const std::string& warning);
 
 inline constexpr const char* simulated_motions_warning =
     "the motions of this suite are simulated and do not serve for a permit: repeat the calculation "

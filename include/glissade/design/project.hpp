@@ -17,7 +17,8 @@
 namespace glissade {
 
 struct TitleBlock {
-  std::string name, address, engineer, date;  ///< empty: left to be filled in
+  /// Empty: left to be filled in.
+  std::string name, address, authority, code, engineer, licence, revision, date;
 };
 
 struct ProjectSite {
@@ -25,11 +26,16 @@ struct ProjectSite {
   std::optional<DesignTarget> mapped;  ///< S_S, S_1 and site class beside a spectrum by points
   bool states_tl = true;               ///< or T_L is as usual
   RiskCategory risk = RiskCategory::ii;
+  /// Of ASCE 7-16, 11.4.8: the exception that the engineer takes, or the report of the analysis.
+  std::string hazard_analysis;
 };
 
 struct ProjectBuilding {
   std::vector<double> period_s;                ///< increasing, > 0; of a roof's motions {0}
-  std::string period_basis;                    ///< "given", or the equation with its numbers
+  std::string period_basis;                    ///< "as given", or the equation with its numbers
+  std::string bounds_text;                     ///< "0.75 to 1.5 times T_a"
+  std::string system;                          ///< as in table 12.8-2; empty: not stated
+  bool system_is_checked = false;              ///< its row of the table is
   std::optional<double> height_m;              ///< where the period comes from it
   std::optional<double> approximate_period_s;  ///< T_a of that height
   std::optional<double> storeys;               ///< above ground, where given
@@ -43,6 +49,7 @@ struct ProjectBuilding {
 
 /// What conditions of the standards ask; none: not stated.
 struct ProjectArray {
+  std::string model, ballast, membrane;  ///< empty: not stated
   std::optional<double> centre_of_mass_m, support_spacing_m, interconnection;  ///< as ArrayFacts
 };
 
@@ -55,6 +62,9 @@ struct ProjectFriction {
   std::vector<DirectionFriction> tested;  ///< of pull tests, each direction; empty: mean, std given
   std::string direction;                  ///< the one of them that is taken
   std::string bound_direction;            ///< the one of the lower bound
+  std::vector<TraceFriction> traces;      ///< of logged pull tests
+  /// Of the test report; empty: not stated.
+  std::string laboratory, tested_on, test_standard, surface;
 
   /// mean - 2 std (Walters et al. 2012), not below 0.
   double design() const;

@@ -22,8 +22,7 @@ enum class Provenance {
 struct Prescription {
   double value_m = 0.0;
   Provenance provenance = Provenance::checked;
-  std::string
-      basis;  ///< the equation or clause, and, where recalled, "verify against the standard"
+  std::string basis;  ///< the equation or clause
 };
 
 /// SEAOC PV1-2012 design displacement: 60 (S_DS - 0.4)^2 in for SDC D, E, F (checked); not less

@@ -90,7 +90,7 @@ void print_prescribed(const std::vector<PrescribedValue>& prescribed) {
   for (const PrescribedValue& value : prescribed) {
     put("{:<16}{}\n", standard_name(value.standard),
         wrapped(fmt::format("prescribes {}; {}", format_length(value.prescribed.value_m),
-                            value.may_be_used() ? "the conditions known here (recalled) are met"
+                            value.may_be_used() ? "the conditions are met"
                                                 : "not met or not stated: " + value.not_met()),
                 terminal_width, 16));
   }
@@ -116,6 +116,7 @@ void check_project(const fs::path& file, const fs::path& out) {
   std::vector<std::string> warnings = choices_of(project);
   for (const Plan* plan : {&demand, &probability}) {
     for (const std::string& warning : plan->warnings) {
+      if (!project.site.hazard_analysis.empty() && is_of_hazard_analysis(project, warning)) continue;
       if (std::ranges::find(warnings, warning) == warnings.end()) warnings.push_back(warning);
     }
   }

@@ -156,7 +156,7 @@ class Calculation {
       check_project_path(identity_.project);
       if (!resumes) check_calculation_folder(out_, options_.overwrite);
       lock_ = take_folder(out_);
-      for (const char* name : {"package.html", "package.json"})
+      for (const char* name : {"package.html", "package.json", "package.pdf"})
         remove_file(out_ / name);  // earlier
       write_begun_calculation(identity_, "started", out_);
     });
@@ -193,11 +193,12 @@ class Calculation {
                                      identity_.project_sha256,
                                      sha256_of_file(project_->suite),
                                      build_text()};
-    write_package(package, out_, options_.overwrite);
+    const bool is_printed = write_package(package, out_, options_.overwrite);
     write_finished_calculation(identity_, package, world_.size(), out_);
     lock_->give_back();
-    put("{}\nPackage  {}   (print it from a browser)\n", package_screen(package),
-        (out_ / "package.html").string());
+    put("{}\nPackage  {}{}\n", package_screen(package),
+        (out_ / (is_printed ? "package.pdf" : "package.html")).string(),
+        is_printed ? "" : "   (print it from a browser: WeasyPrint is not installed)");
   }
 
   /// A refused calculation that has nothing gives its folder back.

@@ -96,8 +96,9 @@ std::vector<double> read_values(const TomlTable& table, const char* key, const N
 
 TitleBlock read_title(const TomlTable& table, Project& project) {
   project.units = table.choice<UnitSystem>("units", unit_names()).value_or(project.units);
-  return {table.text("name").value_or(""), table.text("address").value_or(""),
-          table.text("engineer").value_or(""), table.text("date").value_or("")};
+  const auto text = [&](const char* key) { return table.text(key).value_or(""); };
+  return {text("name"),     text("address"), text("authority"), text("code"),
+          text("engineer"), text("licence"), text("revision"),  text("date")};
 }
 
 void read_site(const TomlTable& table, Project& project) {
@@ -109,6 +110,7 @@ void read_site(const TomlTable& table, Project& project) {
                                                                   {"IV", RiskCategory::iv}})
                           .value_or(project.site.risk);
   project.spectrum_file = table.text("spectrum").value_or("");
+  project.site.hazard_analysis = table.text("hazard_analysis").value_or("");
   const bool is_whole = has("edition") && (has("spectrum") || (has("ss_g") && has("s1_g")) ||
                                            (has("sds_g") && has("sd1_g")));
   if (!is_whole) return table.ignore_unknown();  // what is missing has been reported
@@ -166,14 +168,13 @@ void periods_of_system(const TomlTable& table, const Project& project, ProjectBu
   building.period_s.erase(std::ranges::unique(building.period_s).begin(), building.period_s.end());
   // C_t in metres is the table's too, to three digits.
   const double unit_m = project.units == UnitSystem::si ? 1.0 : foot_m;
-  building.period_basis = fmt::format(
-      "T_a = C_t h^x = {:.3g} ({:.4g} {})^{:g} = {:.3f} s, {} ({}, 12.8-7{}); {:g} to {:g} times "
-      "that",
-      system->ct * std::pow(unit_m / foot_m, system->exponent), height_m / unit_m,
-      unit_m == 1.0 ? "m" : "ft", system->exponent, period_s, system->text,
-      edition_name(project.site.target.edition),
-      system->provenance == Provenance::checked ? "" : ", recalled: verify against the standard",
-      bounds[0], bounds[1]);
+  building.system = system->text;
+  building.system_is_checked = system->provenance == Provenance::checked;
+  building.period_basis = fmt::format("T_a = C_t h^x = {:.3g} ({:.4g} {})^{:g} ({}, 12.8-7)",
+                                      system->ct * std::pow(unit_m / foot_m, system->exponent),
+                                      height_m / unit_m, unit_m == 1.0 ? "m" : "ft",
+                                      system->exponent, edition_name(project.site.target.edition));
+  building.bounds_text = fmt::format("{:g} to {:g} times T_a", bounds[0], bounds[1]);
 }
 
 constexpr NumberRule storeys_rule{"1, 2, 3 or more",
@@ -222,7 +223,7 @@ void read_model(const TomlTable& table, ProjectBuilding& building) {
           ? *system
           : structural_systems[name == "concentrically_braced_frame" ? 2 : 3];
   building.alpha = {found.least_alpha, found.most_alpha};
-  building.model_basis = fmt::format("usual for {} (Miranda & Taghavi 2005, recalled: verify)",
+  building.model_basis = fmt::format("usual for {} (Miranda & Taghavi 2005)",
                                      table.has("system") ? name : "a system that is not stated");
 }
 
@@ -314,6 +315,7 @@ void take_tests(const TomlTable& table, const fs::path& folder, ProjectFriction&
     if (found == nullptr) return;
     const MuStatistics& statistics = found->sliding;
     friction.tested = results.summary.directions;
+    friction.traces = results.summary.tests;
     friction.direction = found->direction;
     if (statistics.tests < 2) {
       table.report("file", "one pull test gives no standard deviation", "test more");
@@ -338,6 +340,10 @@ void take_tests(const TomlTable& table, const fs::path& folder, ProjectFriction&
 
 ProjectFriction read_project_friction(const TomlTable& table, const fs::path& folder) {
   ProjectFriction friction;
+  friction.laboratory = table.text("laboratory").value_or("");
+  friction.tested_on = table.text("tested_on").value_or("");
+  friction.test_standard = table.text("test_standard").value_or("");
+  friction.surface = table.text("surface").value_or("");
   if (table.has("file")) {
     take_tests(table, folder, friction);
     return friction;
@@ -375,7 +381,10 @@ std::optional<ProjectHazard> read_project_hazard(const TomlTable& table, const f
 }
 
 ProjectArray read_array(const TomlTable& table) {
-  return {table.number("centre_of_mass_m", above_zero),
+  return {table.text("model").value_or(""),
+          table.text("ballast").value_or(""),
+          table.text("membrane").value_or(""),
+          table.number("centre_of_mass_m", above_zero),
           table.number("support_spacing_m", above_zero),
           table.number("interconnection", not_negative)};
 }

@@ -7,6 +7,7 @@
 
 #include "analysis/suite/spectra_figure.hpp"
 #include "glissade/design/of_project.hpp"
+#include "glissade/fragility/share.hpp"
 #include "glissade/motion/suite_scaling.hpp"
 #include "glissade/report/figures.hpp"
 #include "package/tables.hpp"
@@ -53,28 +54,28 @@ Figure demand_figure(const CalculationPackage& package) {
   }
   panel.y = length_axis("Displacement in plan", 1.2 * top_m);
   add_side_labels(panel, std::move(labels), {side, 0.34, 0.11});
-  return {"demand",
-          "Displacement at DBE over the building's period",
-          fmt::format(
-              "S_DS = {:.3f} g; friction {:.3g}; largest over slopes, mass ratios, with and "
-              "without vertical motion; {} records{}",
-              design.site.sds_g, package.project.friction.design(), package.demand.records.size(),
-              is_above ? "; governing displacement above the figure: " +
-                             length_in_both(design.governing_m)
-                       : ""),
-          "Largest: of any orientation. Mean and 95th percentile: all records have the orientation "
-          "that governs at the period.",
-          {panel}};
+  return {
+      "demand",
+      "Displacement at DBE over the building's period",
+      fmt::format(
+          "friction {:.3g}; largest over slopes, mass ratios, with and without vertical motion; "
+          "{} records{}",
+          package.project.friction.design(), package.demand.records.size(),
+          is_above
+              ? "; governing displacement above the figure: " + length_in_both(design.governing_m)
+              : ""),
+      "Largest: of any orientation. Mean and 95th percentile: all records have the orientation "
+      "that governs at the period.",
+      {panel}};
 }
 
 /// To the periods that the suite is scaled for, with those of the building.
 Figure site_spectra_figure(const CalculationPackage& package) {
   const SuiteSummary& suite = package.demand.suites.front();
   const std::vector<double>& periods_s = package.project.building.period_s;
-  Figure figure = spectra_figure(
-      suite.spectra,
-      {suite.name, fmt::format("scaled to S_DS = {:.3f} g", package.design.site.sds_g),
-       "target (design spectrum)", std::max(longest_scaled_period_s, 1.5 * periods_s.back())});
+  Figure figure =
+      spectra_figure(suite.spectra, {suite.name, "scaled to DBE", "target (design spectrum)",
+                                     std::max(longest_scaled_period_s, 1.5 * periods_s.back())});
   for (const double period_s : {periods_s.front(), periods_s.back()})
     figure.panels.front().rules.push_back({Rule::Kind::vertical, period_s, look(Role::reference)});
   figure.panels.front().rules.front().label =
@@ -83,47 +84,53 @@ Figure site_spectra_figure(const CalculationPackage& package) {
 }
 
 /// Of the governing displacement, at the building period where it is exceeded most at DBE, or at
-/// MCE where none exceeds it at DBE.
+/// MCE where none exceeds it at DBE: the observed shares, as in the table.
 Figure exceedance_figure(const CalculationPackage& package) {
   const DesignClearance& design = package.design;
+  const Results& results = package.probability;
   const DisplacementExceedance& governing = design.compared.front();
-  const bool at_dbe = governing.dbe.probability > 0.0;
+  const bool at_dbe = governing.dbe.probability > 0.0, of_roof = package.project.of_roof;
   const double period_s = at_dbe ? governing.dbe.period_s : governing.mce.period_s;
-  RunResults run = found_in(
-      package.probability.runs, period_s, "the period that governs",
-      [&](const RunResults& r) { return package.probability.cases.cases[r.first_case].period_s; });
-  std::erase_if(run.fragilities, [&](const ThresholdFragility& fragility) {
-    return fragility.threshold_m != design.governing_m;
-  });
-  Figure figure = fragility_figure(package.probability, run);
-  figure.name = "exceedance";
-  figure.title = "Probability that the governing displacement is exceeded";
-  const ProjectFriction& mu = package.project.friction;
-  const bool of_roof = package.project.of_roof;
-  const double dbe = dbe_level(package.project), mce = mce_over_dbe * dbe;
-  figure.below = fmt::format("{}{}; friction {:.3g}, std {:.2g}",
-                             of_roof ? "" : fmt::format("building period {:.3g} s; ", period_s),
-                             counts_of(package.probability), mu.mean, mu.std);
-  figure.caption = fmt::format(
-      "{}Line: lognormal curve, fitted "
-      "to the lowest intensity at which each history reaches the displacement. Points: share of "
-      "the histories that exceed it at a level. Shaded: 95 % interval from the variance between "
-      "records. {}",
-      of_roof ? ""
-              : fmt::format("The building period is that of the largest probability at {}. ",
-                            at_dbe ? "DBE" : "MCE"),
-      of_roof
-          ? fmt::format("DBE is a factor of {:g} on the motions of the roof, MCE {:g}.", dbe, mce)
-          : fmt::format("DBE is S_DS = {:.3f} g, MCE {:.3f} g; the levels end at {:.3g} g.", dbe,
-                        mce, package.probability.levels.back()));
-  Panel& panel = figure.panels.front();
-  for (DataSeries& series : panel.series)
-    if (!series.source.empty()) series.source = "probability/" + series.source;
-  for (const auto& [name, intensity] : {std::pair{"DBE", dbe}, std::pair{"MCE", mce}}) {
-    panel.rules.push_back({Rule::Kind::vertical, intensity, look(Role::reference)});
-    panel.notes.push_back({intensity, 0.93 * panel.y.high, name, look(Role::reference).colour});
+  const RunResults& run =
+      found_in(results.runs, period_s, "the period that governs",
+               [&](const RunResults& r) { return results.cases.cases[r.first_case].period_s; });
+  const ThresholdFragility& exceeded =
+      found_in(run.fragilities, design.governing_m, "the displacement that is compared",
+               &ThresholdFragility::threshold_m);
+  DataSeries shares{DataSeries::Kind::line_and_points, look(Role::median), "share"},
+      intervals{DataSeries::Kind::bars, look(Role::median), "interval"};
+  const double dbe = dbe_level(package.project);
+  for (std::size_t i = 0; i < results.levels.size(); ++i) {
+    const double level = results.levels[i] / dbe, share = exceeded.probability[i];
+    shares.add(level, share);
+    intervals.add(level, widened(exceeded.probability_interval[i], share, results.records.size()));
   }
-  return figure;
+  Panel panel{"",
+              {"Shaking, in parts of that of the DBE", 0.0, results.levels.back() / dbe},
+              share_axis("Probability"),
+              {intervals, shares}};
+  for (const auto& [name, intensity] : {std::pair{"DBE", 1.0}, std::pair{"MCE", mce_over_dbe}}) {
+    panel.rules.push_back({Rule::Kind::vertical, intensity, look(Role::reference)});
+    panel.notes.push_back(
+        {intensity - 0.03, 0.93, name, look(Role::reference).colour, Note::Align::right});
+  }
+  const ProjectFriction& mu = package.project.friction;
+  return {
+      "exceedance",
+      fmt::format("Probability that the displacement exceeds the governing one, {}",
+                  length_in(design.governing_m)),
+      fmt::format("{}{}; friction {:.3g}, std {:.2g}",
+                  of_roof ? "" : fmt::format("building period {:.3g} s; ", period_s),
+                  counts_of(results), mu.mean, mu.std),
+      fmt::format("{}Points: share of the histories that exceed it at a level, as in the "
+                  "tables; bars: its 95 % interval. {}",
+                  of_roof ? ""
+                          : fmt::format("The building period is that of the largest "
+                                        "probability at {}. ",
+                                        at_dbe ? "DBE" : "MCE"),
+                  of_roof ? fmt::format("DBE is a factor of {:g} on the motions of the roof.", dbe)
+                          : fmt::format("DBE is S_DS = {:.3f} g.", dbe)),
+      {panel}};
 }
 
 }  // namespace

@@ -11,24 +11,6 @@
 namespace glissade {
 namespace {
 
-/// The displacement of a record in the governing case, its largest over the orientations.
-double displacement_of(const CalculationPackage& package, std::size_t record) {
-  const ConditionTable& table = *package.demand.conditions;
-  double largest = 0.0;
-  for (std::size_t i = 0; i < table.first_case.size(); ++i) {
-    const Case& c = package.demand.cases.cases[table.first_case[i]];
-    const bool governs = c.friction == package.project.friction.design() &&
-                         c.slope_deg == package.design.slope_deg &&
-                         c.mass_ratio == package.design.mass_ratio &&
-                         c.period_s == package.design.period_s && c.alpha == package.design.alpha &&
-                         c.vertical == package.design.vertical;
-    if (!governs || table.grid.position(i)[ConditionAxis::level] != 0) continue;
-    for (std::size_t o = 0; o < table.orientations.size(); ++o)
-      largest = std::max(largest, table.at(record, o, i).displacement_m);
-  }
-  return largest;
-}
-
 /// Of a record in tables and figures.
 const Column number_column = {"number", "", "No.", ColumnKind::count};
 double number_after(const Table& table) { return static_cast<double>(table.rows.size() + 1); }
@@ -56,7 +38,7 @@ Table motions_table(const CalculationPackage& package) {
               {number_column, text_column("id", "Record"), text_column("rsn", "RSN"),
                text_column("event", "Event"), text_column("station", "Station"),
                text_column("magnitude", "M"), text_column("distance", "R, km"),
-               text_column("vs30", "Vs30, m/s")},
+               text_column("vs30", "V_S30, m/s")},
               {}};
   bool has_rsn = false;
   for (const RecordSummary& r : package.demand.records) {
@@ -78,13 +60,13 @@ Table scaled_motions_table(const CalculationPackage& package) {
   Table table{
       "scaled_motions",
       std::string(of_roof ? "Motions of the roof as in the suite" : "Ground motions as recorded") +
-          ", factor to DBE, and displacement of the array",
+          ", and factor to DBE",
       {number_column, text_column("id", "Record"), text_column("pga", acceleration),
        text_column("pgv", velocity + std::string(in_inches() ? ", in/s" : ", m/s")),
        text_column("pgd", displacement + std::string(in_inches() ? ", in" : ", m")),
        text_column("step", "Step, s"), text_column("length", "Length, s"),
        text_column("duration", "D5-95, s"), text_column("suite_scale", "Scale of the suite"),
-       text_column("factor", "Factor to DBE"), text_column("displacement", "Displacement")},
+       text_column("factor", "Factor to DBE")},
       {}};
   for (std::size_t i = 0; i < package.demand.records.size(); ++i) {
     const RecordSummary& r = package.demand.records[i];
@@ -95,8 +77,7 @@ Table scaled_motions_table(const CalculationPackage& package) {
          fmt::format("{:.3g}", r.dt_s),
          fmt::format("{:.0f}", r.dt_s * static_cast<double>(r.samples - 1)),
          fmt::format("{:.1f}", r.duration_s), fmt::format("{:.3g}", r.suite_scale),
-         fmt::format("{:.3f}", r.factor_at_unit_level * dbe_level(package.project)),
-         length_in(displacement_of(package, i))});
+         fmt::format("{:.3f}", r.factor_at_unit_level * dbe_level(package.project))});
   }
   const std::vector<RecordSummary>& records = package.demand.records;
   const bool same_scale = std::ranges::all_of(records, [&](const RecordSummary& r) {
@@ -109,8 +90,7 @@ Table scaled_motions_table(const CalculationPackage& package) {
       std::string("% to 95 % of the Arias intensity of both together. The factor to DBE "
                   "contains the scale of the suite") +
       (same_scale ? fmt::format(", {:.3g} for every record,", records.front().suite_scale) : "") +
-      " and is on all components. Displacement: in the governing case at DBE, the largest of the "
-      "orientations.");
+      " and is on all components.");
   return same_scale ? table.without("suite_scale") : table;
 }
 

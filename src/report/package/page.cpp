@@ -5,15 +5,20 @@
 
 #include <algorithm>
 #include <array>
+#include <sstream>
 
 #include "analysis/hazard/hazard.hpp"
 #include "glissade/core/file.hpp"
 #include "glissade/motion/suite_scaling.hpp"
 #include "glissade/report/format.hpp"
 #include "glissade/report/package.hpp"
-#include "glissade/report/standards_tables.hpp"
 #include "package/figures.hpp"
 #include "package/free_body.hpp"
+#include "package/pdf.hpp"
+#include "package/printable.hpp"
+#include "package/sections.hpp"
+#include "package/sketch.hpp"
+#include "package/symbols.hpp"
 #include "package/tables.hpp"
 #include "package/units.hpp"
 
@@ -23,59 +28,81 @@ namespace {
 constexpr Markup letter = "@page { size: letter; } @page wide { size: letter landscape; }";
 constexpr Markup a4 = "@page { size: A4; } @page wide { size: A4 landscape; }";
 constexpr Markup style = R"(
-@page { margin: 20mm 17mm 18mm; @bottom-left { content: "Seismic displacement of an unanchored solar array"; font: 9pt Arial, sans-serif; } }
-h2 { counter-increment: section; break-after: avoid; } h2::before { content: counter(section) ". "; }
-.contents { columns: 20em 2; } .contents a { color: inherit; text-decoration: none; }
-.equation { font-family: "Times New Roman", serif; font-size: 1.15em; margin: .4em 0 .4em 2em; }
+@page { margin: 18mm 16mm 17mm; @bottom-left { content: string(footer); font: 8pt "Liberation Sans", Arial, sans-serif; } @bottom-right { content: "Page " counter(page) " of " counter(pages); font: 8pt "Liberation Sans", Arial, sans-serif; } }
+body { font-family: "Liberation Sans", Arial, Helvetica, sans-serif; }
+.footer { string-set: footer content(); height: 0; overflow: hidden; margin: 0; }
+h2 { break-after: avoid; } sub, sup { font-size: .72em; line-height: 0; }
+.contents { columns: 2; list-style: none; padding: 0; } .contents a { color: inherit; text-decoration: none; }
+.equation { font-family: "Liberation Serif", "Times New Roman", serif; font-size: 1.1em; margin: .3em 0 .3em 2em; }
 caption { font-weight: bold; color: #222; } .note { font-weight: normal; }
+.title { display: flex; } .title > div:first-child { flex: 3; } .stamp { flex: 1.2; border: 1px solid #444; margin: 1em 0 1em 1.5em; padding: .4em; min-height: 11em; color: #555; font-size: .85em; }
+.plain caption, .answer caption, .title caption, .title th, .form th { display: none; } .form td { height: 1.9em; }
+.answer table { background: #fff; } .provisions td:first-child { white-space: nowrap; }
 .files td:last-child { font-family: monospace; overflow-wrap: anywhere; }
 @media print {
-  .short, li { break-inside: avoid; } .own-page { break-before: page; } h1 { font-size: 1.6em; } .answer ul, .warning ul { margin: .3em 0; } .inputs td:last-child { overflow-wrap: anywhere; }
-  h2 { margin-top: 1.2em; } .contents a::after { content: " " leader(".") " " target-counter(attr(href), page); }
-  figure { max-width: 17cm; } .files td:last-child { white-space: nowrap; } .files td { overflow-wrap: anywhere; }
+  .short, li { break-inside: avoid; } h1 { font-size: 1.5em; margin-top: 0; } .answer ul, .warning ul { margin: .3em 0; padding-left: 1.4em; }
+  h2 { margin: 1em 0 .4em; font-size: 1.25em; } .contents a::after { content: " " leader(".") " " target-counter(attr(href), page); }
+  figure { max-width: 16.5cm; } .drawing svg { width: 13.2cm; } .files td:last-child { white-space: nowrap; } .files td, .inputs td:last-child { overflow-wrap: anywhere; }
+  pre { columns: 2; } table { margin: .5em 0; } p { margin: .5em 0; } .title table { margin: .6em 0; }
 }
 )";
 
 /// A heading that the contents point to.
-struct Section {
-  Markup id;  ///< "#result"
+struct SectionHead {
+  Section section;
+  Markup id;  ///< "#scope"
   Markup open;
   const char* title;
 };
-constexpr std::array<Section, 10> sections{{
-    {"<li><a href=\"#result\">", "<h2 id=\"result\">", "Result"},
-    {"<li><a href=\"#inputs\">", "<h2 id=\"inputs\">", "Inputs"},
-    {"<li><a href=\"#motions\">", "<h2 id=\"motions\">", "Design spectrum and ground motions"},
-    {"<li><a href=\"#model\">", "<h2 id=\"model\">", "Model"},
-    {"<li><a href=\"#demand\">", "<h2 id=\"demand\">", "Displacement demand"},
-    {"<li><a href=\"#required\">", "<h2 id=\"required\">", "Required displacement"},
-    {"<li><a href=\"#sensitivity\">", "<h2 id=\"sensitivity\">", "Sensitivity"},
-    {"<li><a href=\"#probability\">", "<h2 id=\"probability\">", "Probability of exceedance"},
-    {"<li><a href=\"#checks\">", "<h2 id=\"checks\">", "Checks and limits"},
-    {"<li><a href=\"#records\">", "<h2 id=\"records\">", "Program and input files"},
+constexpr std::array<SectionHead, 16> heads{{
+    {Section::scope, "<li><a href=\"#scope\">", "<h2 id=\"scope\">", "Scope and conditions"},
+    {Section::criteria, "<li><a href=\"#criteria\">", "<h2 id=\"criteria\">", "Design criteria"},
+    {Section::building, "<li><a href=\"#building\">", "<h2 id=\"building\">", "Building"},
+    {Section::array, "<li><a href=\"#array\">", "<h2 id=\"array\">", "Array"},
+    {Section::friction, "<li><a href=\"#friction\">", "<h2 id=\"friction\">", "Friction tests"},
+    {Section::motions, "<li><a href=\"#motions\">", "<h2 id=\"motions\">", "Motions"},
+    {Section::result, "<li><a href=\"#result\">", "<h2 id=\"result\">",
+     "Analysis and governing displacement"},
+    {Section::separations, "<li><a href=\"#separations\">", "<h2 id=\"separations\">",
+     "Separations"},
+    {Section::sensitivity, "<li><a href=\"#sensitivity\">", "<h2 id=\"sensitivity\">",
+     "Sensitivity"},
+    {Section::probability, "<li><a href=\"#probability\">", "<h2 id=\"probability\">",
+     "Probability of exceedance"},
+    {Section::plausibility, "<li><a href=\"#plausibility\">", "<h2 id=\"plausibility\">",
+     "Plausibility of the roof motions"},
+    {Section::check, "<li><a href=\"#check\">", "<h2 id=\"check\">", "Independent check by hand"},
+    {Section::provisions, "<li><a href=\"#provisions\">", "<h2 id=\"provisions\">",
+     "Provisions used"},
+    {Section::checks, "<li><a href=\"#checks\">", "<h2 id=\"checks\">",
+     "Checks, limits and peer review"},
+    {Section::references, "<li><a href=\"#references\">", "<h2 id=\"references\">", "References"},
+    {Section::inputs, "<li><a href=\"#inputs\">", "<h2 id=\"inputs\">", "Program and input files"},
 }};
 
-Html contents_html(const char* motions_title) {
-  Html html("<ol class=\"contents\">\n");
-  for (const Section& section : sections)
-    html += enclosed(section.id, &section == &sections[2] ? motions_title : section.title,
+Html contents_html() {
+  Html html("<ul class=\"contents\">\n");
+  for (const SectionHead& head : heads)
+    html += enclosed(head.id, fmt::format("{}. {}", number_of(head.section), head.title),
                      "</a></li>\n");
-  return html + "</ol>\n";
+  return html + "</ul>\n";
 }
 
-const char* motions_title(const Project& project) {
-  return project.of_roof ? "Design values and motions of the roof" : sections[2].title;
-}
-
-Html section_heading(std::size_t number) {
-  return enclosed(sections.at(number).open, sections.at(number).title, "</h2>\n");
+Html section_heading(Section section) {
+  const SectionHead& head = heads.at(static_cast<std::size_t>(section));
+  return enclosed(head.open, fmt::format("{}. {}", number_of(section), head.title), "</h2>\n");
 }
 
 /// Rows are whole; a short table is on one page, a longer one may go on with its header repeated.
 Html page_table(const Table& table) {
-  constexpr std::size_t most_rows = 8;
+  constexpr std::size_t most_rows = 13;
   return table.rows.size() > most_rows ? wide_table(table)
                                        : "<div class=\"short\">\n" + wide_table(table) + "</div>\n";
+}
+
+/// Without a caption, which the heading above it has.
+Html plain_table(const Table& table) {
+  return "<div class=\"plain\">\n" + page_table(table) + "</div>\n";
 }
 
 Html equation(const std::string& text) {
@@ -89,48 +116,42 @@ Html warnings_html(const CalculationPackage& package) {
              : "<div class=\"warning\">\n<strong>Warnings</strong>\n" + list(warnings) + "</div>\n";
 }
 
-Html result_html(const CalculationPackage& package) {
+Html title_html(const Project& project) {
+  return "<div class=\"title\">\n<div>\n" + wide_table(title_table(project)) +
+         "</div>\n<div class=\"stamp\">Stamp and signature</div>\n</div>\n";
+}
+
+/// What is decided, on the first page.
+Html answer_html(const CalculationPackage& package) {
   const DesignClearance& design = package.design;
-  const bool of_roof = package.project.of_roof;
-  std::vector<std::string> answers{
-      fmt::format("Governing displacement: {}, rounded up to {}.",
-                  length_in_both(design.governing_m), length_in_both(design.rounded_m)),
-      verdict_sentence(package), fmt::format("It is given by {}.", governed_by(package)),
-      fmt::format("Analysis: {:g} x the largest {} displacement over {}all "
-                  "orientations of the records at DBE = {}{}. With the median of "
-                  "the orientations in place of the largest it would be {}.",
-                  design.factor, design.of_largest ? "single" : "mean",
-                  of_roof ? "" : fmt::format("{} building periods and ", design.demand.size()),
-                  length_in_both(design.analysis_m),
-                  of_roof ? "" : fmt::format(" (period {:.3g} s)", design.period_s),
-                  length_in_both(design.median_analysis_m))};
-  const PrescribedValue& standard = of_standard(package.project, design);
-  answers.push_back(
-      fmt::format("The full value that {} prescribes is {}: {}.", standard_name(standard.standard),
-                  length_in_both(standard.prescribed.value_m),
-                  standard.may_be_used()
-                      ? "those conditions of its use that are known here (recalled: verify) are met"
-                      : "not met or not stated for its use are: " + standard.not_met()));
-  if (!standard.may_be_used())
-    answers.push_back(
-        "Outside these conditions an unanchored array requires the approval of the authority.");
-  for (const ExceedanceAt& e : {design.compared.front().dbe, design.compared.front().mce})
-    answers.push_back(fmt::format(
-        "Probability that the governing displacement is exceeded, given {} shaking: {} (95 % "
-        "interval {} to {}){}.",
-        e.level, format_share(e.probability), format_share(e.interval.low),
-        format_share(e.interval.high),
-        of_roof ? ""
-                : fmt::format(", at the building period with the largest, {:.3g} s", e.period_s)));
-  answers.push_back(accepted_sentence(design) + ".");
-  answers.push_back(hazard_sentence(package));
-  // Beside the table, which scrolls on a narrow screen.
   Table separations = separations_table(package);
-  Html reservations;
-  for (const std::string& note : separations.notes) reservations += paragraph(note);
   separations.notes.clear();
-  return section_heading(0) + page_table(separations) + reservations + "<div class=\"answer\">\n" +
-         list(answers) + "</div>\n";
+  const std::vector<std::string> open = open_items(package);
+  return "<div class=\"answer\">\n<strong>Result</strong>\n" +
+         list({fmt::format("Governing displacement: {}, by {}.", length_in_both(design.governing_m),
+                           governed_by(package)),
+               verdict_sentence(package)}) +
+         wide_table(separations) +
+         (open.empty() ? Html() : "<strong>Open items</strong>\n" + list(open)) + "</div>\n";
+}
+
+Html scope_html(const CalculationPackage& package) {
+  const Project& project = package.project;
+  const PrescribedValue& standard = of_standard(project, package.design);
+  const std::string violated = standard.violated(), not_met = standard.not_met();
+  return section_heading(Section::scope) +
+         paragraph(fmt::format(
+             "An array that no anchor holds slides in an earthquake. This calculation gives the "
+             "displacement to design for, by nonlinear response history analysis in place of the "
+             "prescribed {}, and the separations that follow from it ({}).",
+             displacement_symbol,
+             project.standard == Standard::asce7_16 ? "ASCE 7-16, 13.6.12" : "SEAOC PV1-2012")) +
+         page_table(scope_table(package)) +
+         paragraph(!violated.empty()
+                       ? "NOT APPLICABLE: not met: " + violated +
+                             ". An unanchored array then requires the approval of the authority."
+                   : !not_met.empty() ? "OPEN: not stated: " + not_met + "."
+                                      : "All conditions are met: the exception applies.");
 }
 
 /// What the project gives by points.
@@ -151,9 +172,7 @@ Html given_curves_html(const Project& project) {
 /// What the motions are, and how they are scaled.
 Html roof_motions_html(const CalculationPackage& package) {
   const SuiteSummary& suite = package.demand.suites.front();
-  return enclosed(sections[2].open, motions_title(package.project), "</h2>\n") +
-         page_table(site_table(package)) +
-         paragraph(fmt::format(
+  return paragraph(fmt::format(
              "Suite: {}{}. Its motions are those of the roof on which the array stands, of a "
              "model of the building or recorded in it; they are used without a building and "
              "without "
@@ -175,11 +194,10 @@ Html motions_html(const CalculationPackage& package, const std::vector<DrawnFigu
       to_s > longest_scaled_period_s && !package.project.without_target
           ? fmt::format(
                 ", and nowhere below {:g} times it from there to {:.3g} s, 1.5 times the "
-                "longest building period of the demand study (ASCE 7-16, 16.2, recalled)",
+                "longest building period of the demand study (ASCE 7-16, 16.2)",
                 least_over_target_beyond, to_s)
           : "";
-  return section_heading(2) + page_table(site_table(package)) +
-         paragraph(
+  return paragraph(
              fmt::format("Suite: {}: {}. The suite, with its own scales, is multiplied by one "
                          "factor, so that its average SRSS spectrum is the design spectrum or more "
                          "at each period of the scaling rule, 0 to 2 s (Walters et al. 2012){}. "
@@ -194,17 +212,25 @@ Html motions_html(const CalculationPackage& package, const std::vector<DrawnFigu
 
 Html model_html(bool of_roof, bool of_modes) {
   const Html building =
-      paragraph(
-          "Building with the ground acceleration a_g, along each of its axes (M: mass; u: "
-          "displacement of the roof relative to the ground; \u03c9: circular frequency; "
-          "\u03b6: damping ratio), here along the slope:") +
-      equation(
-          "M (u'' + 2\u03b6\u03c9 u' + \u03c9\u00b2 u) = \u2212 M a_g \u2212 (N sin\u03b8 "
-          "\u2212 F_s cos\u03b8),   a = u'' + a_g");
+      of_modes
+          ? paragraph(
+                "Mode n of the building along each of its axes, with the ground acceleration a_g "
+                "(D: displacement of the mode; \u03c9: circular frequency; \u03b6: damping ratio; "
+                "\u03b3: participation at the roof):") +
+                equation(
+                    "D_n'' + 2\u03b6\u03c9_n D_n' + \u03c9_n^2 D_n = \u2212 a_g,   a = a_g + "
+                    "\u03a3 \u03b3_n D_n''")
+          : paragraph(
+                "Building with the ground acceleration a_g, along each of its axes (M: mass; u: "
+                "displacement of the roof relative to the ground; \u03c9: circular frequency; "
+                "\u03b6: damping ratio), here along the slope:") +
+                equation(
+                    "M (u'' + 2\u03b6\u03c9 u' + \u03c9^2 u) = \u2212 M a_g \u2212 (N sin\u03b8 "
+                    "\u2212 F_s cos\u03b8),   a = u'' + a_g");
   const Html bodies =
       "<figure>\n" + in_box(Html::drawing(free_body_svg, "Free bodies of array and roof")) +
       "<figcaption>Free bodies of the array and of the roof.</figcaption>\n</figure>\n";
-  return "<div class=\"short\">\n" + section_heading(3) +
+  return "<div class=\"short\">\n" +
          paragraph(
              of_roof
                  ? "The roof moves as the motions of the suite state. The array is a rigid mass on "
@@ -216,18 +242,15 @@ Html model_html(bool of_roof, bool of_modes) {
                  ? "The building is linear, with several modes along each of its two horizontal "
                    "axes, of one damping ratio: those of a uniform cantilever of flexure and shear "
                    "(Miranda & Taghavi 2005), as many as carry 95 % of the mass or have periods "
-                   "above 0.05 s, six at most; the equation below is that of one mode, on which "
-                   "the "
-                   "ground and the array act by its participation. The array is a rigid mass on "
-                   "its "
-                   "roof with Coulomb friction; it slides in plan along both axes at once and acts "
-                   "back on the building. The roof moves vertically with the ground."
+                   "above 0.05 s, six at most. The array is a rigid mass on its roof with Coulomb "
+                   "friction; it slides in plan along both axes at once. Its mass is neglected: it "
+                   "does not act back on the building. The roof moves vertically with the ground."
                  : "The building is a linear oscillator along each of its two horizontal axes, "
                    "with "
                    "one period and damping ratio. The array is a rigid mass on its roof with "
                    "Coulomb friction; it slides in plan along both axes at once and acts back on "
                    "the building. The roof moves vertically with the ground.") +
-         (of_roof ? Html() : bodies) + "</div>\n" +
+         (of_roof || of_modes ? Html() : bodies) + "</div>\n" +
          paragraph(fmt::format(
              "Array (m: mass; s, y: displacement along and across the slope, s positive down; N: "
              "normal force; F: friction; a: acceleration of the roof; w: vertical acceleration of "
@@ -246,46 +269,83 @@ Html model_html(bool of_roof, bool of_modes) {
              "of a history is the SRSS of the largest displacements along both axes (Walters et "
              "al. 2012), in plan. Between samples the {} acceleration is linear. Equations "
              "and sources: src/theory.md of the program.",
-             of_roof ? "roof" : "ground")) +
-         list({"Walters, M., Berkowitz, R., Lau, D., Lee, W., Baker, J. (2012). Seismic "
-               "considerations and evaluation approach for \"isolated\" rooftop PV arrays. SEAOC "
-               "Convention Proceedings.",
-               "Rodriguez-Nikl, T., et al. (2019). Predicted slip of ballasted solar arrays on "
-               "angled roofs due to seismic motion.",
-               "ASCE/SEI 7-16 (2017). Minimum design loads and associated criteria for buildings "
-               "and other structures.",
-               "SEAOC PV1-2012. Structural seismic requirements and commentary for rooftop solar "
-               "photovoltaic arrays."});
+             of_roof ? "roof" : "ground"));
 }
 
-Html required_html(const CalculationPackage& package) {
+/// How the analysis leads to the displacement that governs.
+Html governing_html(const CalculationPackage& package) {
   const DesignClearance& design = package.design;
+  const PrescribedValue& standard = of_standard(package.project, design);
   std::vector<std::string> steps{fmt::format(
-      "Analysis (Walters et al. 2012): {:g} x {} = {}.", design.factor,
+      "Analysis (Walters et al. 2012): {:g} \u00d7 {} = {}.", design.factor,
       length_in_both(design.analysis_m / design.factor, 1), length_in_both(design.analysis_m, 1))};
   if (package.project.peer_reviewed) {
     steps.push_back(
-        "The project states that the analysis is peer reviewed: no least value applies.");
+        "The engineer states that the analysis is peer reviewed: no least value applies.");
   } else {
     steps.push_back(fmt::format(
-        "Least value of an analysis by {}: {}{}.", standard_name(package.project.standard),
-        length_in_both(design.floor_m),
-        of_standard(package.project, design).may_be_used()
-            ? ""
-            : "; it is applied although conditions of the prescribed value are not met, which is "
-              "on the safe side"));
+        "Least value of an analysis: {:g} \u00d7 {} = {} ({}){}.", standard.floor_share,
+        length_in_both(standard.prescribed.value_m, 1), length_in_both(design.floor_m, 1),
+        standard_name(package.project.standard),
+        standard.may_be_used() ? ""
+                               : "; it is applied although conditions of the prescribed value are "
+                                 "not met, which is on the safe side"));
   }
   steps.push_back(fmt::format("Governing displacement: the larger, {}; rounded up to {}.",
                               length_in_both(design.governing_m),
                               length_in_both(design.rounded_m)));
-  return "<div class=\"short\">\n" + section_heading(5) + list(steps) + "</div>\n" +
-         page_table(prescribed_table(package)) +
-         page_table(conditions_table(facts_of(package.project, design.site)));
+  return "<div class=\"short\">\n" + list(steps) + "</div>\n";
+}
+
+Html result_html(const CalculationPackage& package, const Html& figure) {
+  const bool of_modes = !package.project.building.alpha.empty();
+  return section_heading(Section::result) + model_html(package.project.of_roof, of_modes) +
+         paragraph(fmt::format(
+             "The displacement is computed for all combinations of {}slope and orientation of the "
+             "records, with and without vertical motion. The governing case is that with the "
+             "largest mean over the records.",
+             package.project.of_roof ? ""
+             : of_modes              ? "building period, \u03b1_0, "
+                                     : "building period, mass ratio, ")) +
+         page_table(record_displacements_table(package)) + page_table(demand_table(package)) +
+         figure + governing_html(package);
+}
+
+Html separations_html(const CalculationPackage& package) {
+  return section_heading(Section::separations) + page_table(separations_table(package)) +
+         "<figure>\n" +
+         in_box(Html::drawing(separations_sketch(package),
+                              "Plan of the roof with the required and available separations")) +
+         "<figcaption>Plan: the required separations A to D to scale, and what is available. "
+         "Arrays "
+         "and objects are not to scale.</figcaption>\n</figure>\n";
+}
+
+Html by_hand_html(const CalculationPackage& package) {
+  const Project& project = package.project;
+  const double sds_g = package.design.site.sds_g;
+  const Prescription& prescribed = of_standard(project, package.design).prescribed;
+  const double over_g = std::max(0.0, sds_g - 0.4), square = over_g * over_g;
+  const std::string by_hand =
+      project.standard == Standard::asce7_16
+          ? fmt::format(
+                "\u0394_MPV = 5 I_e (S_DS \u2212 0.4)^2 ft = 5 \u00d7 {:g} \u00d7 ({:.4f} "
+                "\u2212 0.4)^2 = {:.4f} ft = {:.2f} in, 24 in at least: {}",
+                project.importance, sds_g, 5.0 * project.importance * square,
+                60.0 * project.importance * square, length_in_both(prescribed.value_m))
+          : fmt::format(
+                "60 (S_DS \u2212 0.4)^2 in = 60 \u00d7 ({:.4f} \u2212 0.4)^2 = {:.2f} in, 6 "
+                "in at least: {}",
+                sds_g, 60.0 * square, length_in_both(prescribed.value_m));
+  return section_heading(Section::check) + equation(by_hand) + page_table(by_hand_table(package)) +
+         page_table(prescribed_table(package));
 }
 
 Html checks_html(const CalculationPackage& package) {
-  return section_heading(8) + page_table(checks_table(package)) +
-         page_table(roof_accelerations_table(package)) +
+  Table review{"review", "Peer review", {text_column("item", ""), text_column("value", "")}, {}};
+  for (const char* item : {"Reviewer", "Licence number", "Findings", "Signature and date"})
+    review.add({std::string(item), std::string("____________________")});
+  return section_heading(Section::checks) + wide_table(checks_table(package)) +
          paragraph(fmt::format(
              "The solver of glissade {} is verified against closed forms, solutions with 50 digits "
              "and both published papers; every comparison is in its verification manual "
@@ -295,13 +355,48 @@ Html checks_html(const CalculationPackage& package) {
              {"The array is rigid and stays in contact with the roof: no tipping, no uplift.",
               "Friction is Coulomb's: it does not change with speed, temperature or wear.",
               package.project.of_roof
-                  ? "The array does not act back on the roof, whose motions are those of the suite."
-                  : "The building is elastic with one mode along each axis, without torsion.",
+                  ? "The array does not act back on the roof, whose motions are "
+                    "those of the suite."
+              : package.project.building.alpha.empty()
+                  ? "The building is elastic with one mode along each axis, without torsion."
+                  : "The building is elastic, with several modes along each axis, without torsion.",
               std::string("The governing displacement is that of one earthquake. Displacements of "
                           "several earthquakes during the design life add up, and are not in it") +
-                  (package.probability.hazard ? ": section 8." : "."),
-              "The array does not strike anything and no cable restrains it.",
-              "Statements marked (recalled) are from memory of the standard: verify them."});
+                  (package.probability.hazard
+                       ? fmt::format(": section {}.", number_of(Section::probability))
+                       : "."),
+              "The array does not strike anything and no cable restrains it."}) +
+         paragraph(
+             package.project.peer_reviewed
+                 ? "The engineer states that this analysis is peer reviewed; the reviewer "
+                   "signs here."
+                 : "The least value of the standard is applied. An analysis below it requires "
+                   "a peer review, which is recorded here.") +
+         "<div class=\"form\">\n" + page_table(review) + "</div>\n";
+}
+
+Html references_html() {
+  Html html = section_heading(Section::references) + "<ol>\n";
+  for (
+      const char* reference :
+      {"ASCE/SEI 7-16 (2017). Minimum design loads and associated criteria for buildings and other "
+       "structures.",
+       "ASCE/SEI 7-22 (2022). The same.",
+       "SEAOC PV1-2012. Structural seismic requirements and commentary for rooftop solar "
+       "photovoltaic arrays.",
+       "Walters, M., Berkowitz, R., Lau, D., Lee, W., Baker, J. (2012). Seismic considerations and "
+       "evaluation approach for \"isolated\" rooftop PV arrays. SEAOC Convention Proceedings.",
+       "Rodriguez-Nikl, T., Cedano, Martinez, Ojeda (2019). Predicted slip of ballasted solar "
+       "arrays on angled roofs due to seismic motion.",
+       "Miranda, E., Taghavi, S. (2005). Approximate floor acceleration demands in multistory "
+       "buildings. J. Struct. Eng. 131(2):203-211.",
+       "Seismic design load calculation of a permit, 12 September 2023. City of Santa Ana, "
+       "building "
+       "records, document 370815, page 20.",
+       "Package of a manufacturer of ballasted arrays, design loads, 7.3.1. City of Santa Ana, "
+       "building records, document 376473, page 60."})
+    html += enclosed("<li>", reference, "</li>\n");
+  return html + "</ol>\n";
 }
 
 /// What the hazard section of a report has in tables.
@@ -319,6 +414,12 @@ Html hazard_html(const CalculationPackage& package) {
          page_table(of_periods(
              hazard_table(package.probability, package.design.governing_m).without("fit_rate"))) +
          page_table(of_periods(shown_design_life_table(package.probability)));
+}
+
+Html probability_html(const CalculationPackage& package, const Html& figure) {
+  return section_heading(Section::probability) + page_table(exceedance_table(package)) +
+         (package.design.compared.size() > 1 ? page_table(compared_table(package)) : Html()) +
+         figure + hazard_html(package);
 }
 
 /// Two columns, so that a hash stands on one line: "rsn169 first: RSN169_1.AT2".
@@ -339,8 +440,28 @@ Html files_html(const Table& files) {
   return Html("<div class=\"files\">\n") + page_table(page) + "</div>\n";
 }
 
-Html records_html(const CalculationPackage& package) {
-  Html html = section_heading(9) +
+/// Without its comments, which are those of an example.
+std::string without_comments(const std::string& toml) {
+  std::string text;
+  std::istringstream lines(toml);
+  for (std::string line; std::getline(lines, line);) {
+    std::size_t end = 0;
+    char quote = 0;
+    while (end < line.size() && (quote != 0 || line[end] != '#')) {
+      if (quote == 0 ? line[end] == '"' || line[end] == '\'' : line[end] == quote)
+        quote = quote == 0 ? line[end] : '\0';
+      ++end;
+    }
+    const std::size_t last = line.substr(0, end).find_last_not_of(" \t\r");
+    if (last == std::string::npos) continue;
+    if (line[0] == '[' && !text.empty()) text += "\n";
+    text += line.substr(0, last + 1) + "\n";
+  }
+  return text;
+}
+
+Html inputs_html(const CalculationPackage& package) {
+  Html html = section_heading(Section::inputs) +
               paragraph(fmt::format(
                   "glissade {} ({}); plan of the demand study {}, of the probability "
                   "study {}; project file SHA-256 {}, suite file SHA-256 {}. The same files "
@@ -348,53 +469,57 @@ Html records_html(const CalculationPackage& package) {
                   package.demand.program_version, package.build, package.demand.plan_hash,
                   package.probability.plan_hash, package.project_sha256, package.suite_sha256));
   if (!package.files.empty()) html += files_html(files_table(package));
-  return html + "<h3 class=\"own-page\">Project file</h3>\n" +
-         study_file(package.project.source_text);
+  return html + "<h3>Project file, without its comments</h3>\n" +
+         study_file(without_comments(package.project.source_text));
 }
 
 }  // namespace
 
-void write_package(const CalculationPackage& package, const std::filesystem::path& out_dir,
+bool write_package(const CalculationPackage& package, const std::filesystem::path& out_dir,
                    bool overwrite) {
   const LengthUnits units(package.project.units);
-  std::vector<Table> tables{title_table(package.project),
-                            inputs_table(package),
-                            site_table(package),
-                            motions_table(package),
-                            files_table(package),
-                            demand_table(package),
-                            prescribed_table(package),
-                            separations_table(package),
-                            sensitivity_table(package),
-                            conditions_table(facts_of(package.project, package.design.site)),
-                            exceedance_table(package),
-                            compared_table(package),
-                            checks_table(package),
-                            roof_accelerations_table(package)};
-  for (Table& table : given_curves(package.project)) tables.push_back(std::move(table));
-  const std::vector<DrawnFigure> figures = write_parts(
+  const Project& project = package.project;
+  std::vector<Table> tables{
+      title_table(project),      scope_table(package),       criteria_table(package),
+      building_table(package),   array_table(package),       friction_table(package),
+      motions_table(package),    files_table(package),       record_displacements_table(package),
+      demand_table(package),     separations_table(package), sensitivity_table(package),
+      exceedance_table(package), compared_table(package),    roof_accelerations_table(package),
+      by_hand_table(package),    prescribed_table(package),  provisions_table(package),
+      checks_table(package)};
+  if (!project.friction.tested.empty()) tables.push_back(pull_tests_table(project.friction));
+  for (Table& table : given_curves(project)) tables.push_back(std::move(table));
+  std::vector<DrawnFigure> figures = write_parts(
       {"package.html", std::move(tables), package_figures(package)}, out_dir, overwrite);
-  const bool has_demand_figure = !package.project.of_roof && figures.size() > 2;
+  for (DrawnFigure& drawn : figures) drawn.svg = printable(drawn.svg);
+  const bool has_demand_figure = !project.of_roof && figures.size() > 2;
   const Html page =
-      page_head({package.project.title.name, "calculation of required separations",
-                 in_inches() ? letter : a4}) +
+      page_head(
+          {project.title.name, "calculation of required separations", in_inches() ? letter : a4}) +
       "<style>" + style + "</style>\n" +
+      enclosed("<p class=\"footer\">", footer_text(package), "</p>\n") +
       paragraph(
           "Calculation of the seismic displacement of an unanchored rooftop solar array, and "
           "of its required separations") +
-      page_table(title_table(package.project)) + warnings_html(package) + result_html(package) +
-      contents_html(motions_title(package.project)) + section_heading(1) +
-      "<div class=\"inputs\">\n" + page_table(inputs_table(package)) + "</div>\n" +
-      given_curves_html(package.project) + motions_html(package, figures) +
-      model_html(package.project.of_roof, !package.project.building.alpha.empty()) +
-      section_heading(4) + page_table(demand_table(package)) +
-      (has_demand_figure ? figure_html(figures.at(1), 2) : Html()) + required_html(package) +
-      section_heading(6) + page_table(sensitivity_table(package)) + section_heading(7) +
-      page_table(exceedance_table(package)) +
-      (package.design.compared.size() > 1 ? page_table(compared_table(package)) : Html()) +
-      figure_html(figures.back(), figures.size()) + hazard_html(package) + checks_html(package) +
-      records_html(package) + page_foot();
-  write_text_file(out_dir / "package.html", page.str());
+      title_html(project) + answer_html(package) + warnings_html(package) + contents_html() +
+      scope_html(package) + section_heading(Section::criteria) +
+      plain_table(criteria_table(package)) + given_curves_html(project) +
+      section_heading(Section::building) + plain_table(building_table(package)) +
+      section_heading(Section::array) + plain_table(array_table(package)) +
+      section_heading(Section::friction) + "<div class=\"inputs\">\n" +
+      page_table(friction_table(package)) + "</div>\n" +
+      (project.friction.tested.empty() ? Html() : page_table(pull_tests_table(project.friction))) +
+      section_heading(Section::motions) + motions_html(package, figures) +
+      result_html(package, has_demand_figure ? figure_html(figures.at(1), 2) : Html()) +
+      separations_html(package) + section_heading(Section::sensitivity) +
+      page_table(sensitivity_table(package)) +
+      probability_html(package, figure_html(figures.back(), figures.size())) +
+      section_heading(Section::plausibility) + page_table(roof_accelerations_table(package)) +
+      by_hand_html(package) + section_heading(Section::provisions) +
+      "<div class=\"provisions\">\n" + page_table(provisions_table(package)) + "</div>\n" +
+      checks_html(package) + references_html() + inputs_html(package) + page_foot();
+  write_text_file(out_dir / "package.html", with_symbols(page.str()));
+  return print_page(out_dir / "package.html");
 }
 
 }  // namespace glissade

@@ -80,10 +80,10 @@ std::string governing_lines(const CalculationPackage& package) {
       "\n" + line("Analysis", fmt::format("{:g} x the largest {}: {}", design.factor,
                                           design.of_largest ? "record" : "mean", analysis));
   for (const PrescribedValue& value : design.prescribed) {
-    text += fmt::format("{:<15}prescribes {}; {}\n", standard_name(value.standard),
-                        length_in_both(value.prescribed.value_m),
-                        value.may_be_used() ? "known conditions are met (recalled)"
-                                            : "conditions NOT met or not stated");
+    text += fmt::format(
+        "{:<15}prescribes {}; {}\n", standard_name(value.standard),
+        length_in_both(value.prescribed.value_m),
+        value.may_be_used() ? "conditions are met" : "conditions NOT met or not stated");
     // Those of the project's standard are a reservation.
     if (value.not_met() != of_standard(package.project, design).not_met() && !value.may_be_used())
       text += std::string(15, ' ') + wrapped(value.not_met(), terminal_width, 15) + "\n";
@@ -104,7 +104,7 @@ std::string separation_lines(const CalculationPackage& package) {
           "available {}{}", length_in(*s.available_m),
           *s.available_m < s.required.value_m
               ? ": NOT SUFFICIENT, " + length_in(s.required.value_m - *s.available_m) + " short"
-              : ": sufficient");
+              : fmt::format(": {}", verdict_where_wide_enough(package)));
     }
     const std::string required = fmt::format("  {:.1f} x  {:>10}  {}", s.required.factor,
                                              length_in(s.required.value_m), s.required.what);
@@ -113,8 +113,7 @@ std::string separation_lines(const CalculationPackage& package) {
             (verdict.empty() ? "" : (fits ? "  " : "\n" + std::string(21, ' ')) + verdict) + "\n";
   }
   text += wrapped(verdict_sentence(package));
-  for (const std::string& reservation : reservations_on(package.project, package.design))
-    text += wrapped("Reservation: " + reservation + ".");
+  for (const std::string& item : open_items(package)) text += wrapped("Open: " + item + ".");
   text += "\nProbability that the governing displacement is exceeded\n";
   const DisplacementExceedance& governing = package.design.compared.front();
   for (const ExceedanceAt& e : {governing.dbe, governing.mce})

@@ -13,6 +13,7 @@
 #include "glissade/core/units.hpp"
 #include "glissade/design/of_project.hpp"
 #include "glissade/fragility/hazard.hpp"
+#include "glissade/motion/improbable.hpp"
 #include "glissade/report/format.hpp"
 #include "package/units.hpp"
 #include "text/study_text.hpp"
@@ -20,26 +21,8 @@
 namespace glissade {
 namespace {
 
-std::string or_blank(const std::string& text) {
-  return text.empty() ? "____________________" : text;
-}
-
-std::string target_text(const Project& project) {
-  const DesignTarget& target = project.site.target;
-  if (!target.period_s.empty())
-    return fmt::format("{}, spectrum of {} points, {}{}", edition_name(target.edition),
-                       target.period_s.size(), project.spectrum_file,
-                       project.site.mapped ? "; beside it " + to_string(*project.site.mapped) : "");
-  if (target.sds_g > 0.0)
-    return fmt::format("{}, S_DS {:.3f} g and S_D1 {:.3f} g as given", edition_name(target.edition),
-                       target.sds_g, target.sd1_g);
-  std::string classes;
-  for (const SiteClass site : target.site_classes)
-    classes += (classes.empty() ? "" : ", ") + to_string(site);
-  return fmt::format("{}, S_S {:.3f} g, S_1 {:.3f} g, site class {}{}",
-                     edition_name(target.edition), target.ss_g, target.s1_g, classes,
-                     target.site_classes.size() > 1 ? " (the largest)" : "");
-}
+constexpr const char* approval_sentence =
+    "Outside its conditions an unanchored array requires the approval of the authority.";
 
 /// "12.7 in (1.06 ft)", or "0.322 m".
 std::string prescribed_separation(double length_m) {
@@ -68,11 +51,25 @@ std::vector<std::string> warnings_of(const CalculationPackage& package) {
   return warnings;
 }
 
+std::vector<std::string> open_items(const CalculationPackage& package) {
+  std::vector<std::string> items = reservations_on(package.project, package.design);
+  if (package.files.empty()) items.insert(items.begin(), simulated_motions_warning);
+  for (std::string& item : items)
+    item[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(item[0])));
+  return items;
+}
+
+const char* verdict_where_wide_enough(const CalculationPackage& package) {
+  return !of_standard(package.project, package.design).violated().empty() ? "not applicable"
+         : open_items(package).empty()                                    ? "sufficient"
+                                                                          : "open";
+}
+
 std::vector<std::string> shown_warnings(const CalculationPackage& package) {
   std::vector<std::string> shown = warnings_of(package);
-  for (const std::string& reservation : reservations_on(package.project, package.design))
+  for (const std::string& item : open_items(package))
     std::erase_if(shown, [&](const std::string& warning) {  // but for its first letter
-      return warning.substr(1) == reservation.substr(1);
+      return warning.substr(1) == item.substr(1);
     });
   return shown;
 }
@@ -140,148 +137,12 @@ std::string verdict_sentence(const CalculationPackage& package) {
   }
   if (known == 0) return "Available clearances are not stated.";
   if (!lacking.empty()) return "Available clearances are NOT SUFFICIENT " + lacking + ".";
-  return reservations_on(package.project, package.design).empty()
+  const std::string fails = of_standard(package.project, package.design).violated();
+  if (!fails.empty()) return "NOT APPLICABLE: " + fails + ". " + approval_sentence;
+  return open_items(package).empty()
              ? "The available clearances are sufficient."
-             : "The available clearances are sufficient, with the reservations below.";
-}
-
-Table title_table(const Project& project) {
-  Table table{"title", "Project", {text_column("item", ""), text_column("value", "")}, {}};
-  table.add({std::string("Project"), or_blank(project.title.name)});
-  table.add({std::string("Address"), or_blank(project.title.address)});
-  table.add({std::string("Engineer"), or_blank(project.title.engineer)});
-  table.add({std::string("Date"), or_blank(project.title.date)});
-  table.add({std::string("Signature"), or_blank("")});
-  table.add({std::string("Checked by"), or_blank("")});
-  return table;
-}
-
-Table inputs_table(const CalculationPackage& package) {
-  const Project& p = package.project;
-  Table table{"inputs",
-              "Inputs and their sources",
-              {text_column("input", "Input"), text_column("value", "Value"),
-               text_column("source", "Source")},
-              {}};
-  const auto add = [&](const std::string& input, const std::string& value,
-                       const std::string& source) {
-    table.add({input, value, source});
-  };
-  add("Site", target_text(p), "project file, [site]");
-  add("Risk category", to_string(p.site.risk),
-      fmt::format("project file; importance factor {:g}", p.importance));
-  if (p.of_roof)
-    add("Building", "none is computed: the motions are those of its roof", "suite file");
-  else
-    add("Building period", range_text(p.building.period_s, " s"), p.building.period_basis);
-  if (p.building.storeys) add("Storeys", fmt::format("{:g}", *p.building.storeys), "project file");
-  if (!p.of_roof)
-    add("Model of the building",
-        p.building.alpha.empty() ? "one mass on one spring"
-                                 : "modes of a uniform cantilever of flexure and shear, alpha " +
-                                       range_text(p.building.alpha, ""),
-        p.building.model_basis);
-  if (!p.of_roof) {
-    add("Damping of the building", fmt::format("{:g} %", 100.0 * p.building.damping),
-        "project file");
-    add("Mass of array over building", range_text(p.building.mass_ratio, ""),
-        p.building.mass_basis);
-  }
-  std::vector<double> rises;
-  for (const double slope_deg : p.slope_deg)
-    rises.push_back(12.0 * std::tan(slope_deg * rad_per_deg));
-  add("Roof slope",
-      fmt::format("{} (rise in 12: {})", range_text(p.slope_deg, " degrees"),
-                  range_text(rises, "")),
-      "project file");
-  add("Coefficient of friction, mean", fmt::format("{:.3f}", p.friction.mean), p.friction.source);
-  add("its standard deviation", fmt::format("{:.3f}", p.friction.std), "as the mean");
-  add("its design value", fmt::format("{:.3f}", p.friction.design()),
-      "mean - 2 std (Walters et al. 2012)");
-  for (const DirectionFriction& d : p.friction.tested)
-    add(d.direction == p.friction.direction ? "Pull tests, taken" : "Pull tests",
-        fmt::format("{}: mean {:.3f}, std {:.3f}, mean - 2 std {:.3f}", d.direction, d.sliding.mean,
-                    d.sliding.std, d.sliding.mean_minus_2_std),
-        fmt::format("each test, as in the file: {:.3f}", fmt::join(d.sliding_mu, ", ")));
-  if (p.friction.lower_bound)
-    add(bound_name(p.friction), fmt::format("{:.3f}", *p.friction.lower_bound),
-        "with 95 % confidence, 97.7 % of pulls have more (normal friction, this number of tests)");
-  add(p.of_roof ? "Motions of the roof" : "Ground motions",
-      fmt::format("{}, {} records", package.demand.suites.front().name,
-                  package.demand.records.size()),
-      p.suite.filename().string());
-  if (p.of_roof)
-    add("Factor on them at DBE", fmt::format("{:g}", p.roof_factor), "project file, or 1");
-  return table;
-}
-
-Table site_table(const CalculationPackage& package) {
-  const SiteValues& site = package.design.site;
-  Table table{"site",
-              "Design spectral accelerations",
-              {text_column("quantity", "Quantity"), text_column("value", "Value"),
-               text_column("basis", "Basis")},
-              {}};
-  const auto add = [&](const char* quantity, const std::string& value, const std::string& basis) {
-    table.add({std::string(quantity), value, basis});
-  };
-  const DesignTarget& target = package.project.site.target;
-  if (site.fa > 0.0) {
-    const std::string edition = edition_name(target.edition);
-    const bool is_default = target.site_classes == std::vector{SiteClass::unknown};
-    add("F_a", fmt::format("{:.3f}", site.fa),
-        edition + ", table 11.4-1" +
-            (!is_default                               ? ""
-             : target.edition == AsceEdition::asce7_16 ? ", class D, and 1.2 or more"
-                                                       : ", class D"));
-    add("F_v", fmt::format("{:.3f}", site.fv),
-        edition + ", table 11.4-2" + (is_default ? ", class D" : ""));
-  }
-  const bool points = !target.period_s.empty();
-  add("S_MS", fmt::format("{:.3f} g", site.sms_g()), target.is_mapped() ? "F_a S_S" : "1.5 S_DS");
-  add("S_M1", fmt::format("{:.3f} g", site.sm1_g()), target.is_mapped() ? "F_v S_1" : "1.5 S_D1");
-  add("S_DS", fmt::format("{:.3f} g", site.sds_g),
-      points               ? "90 % of the largest of the spectrum, 0.2 to 5 s (21.4, recalled)"
-      : target.is_mapped() ? "2/3 S_MS"
-                           : "as given");
-  add("S_D1", fmt::format("{:.3f} g", site.sd1_g),
-      points               ? "largest S_a T of its points, 1 to 5 s (21.4, recalled)"
-      : target.is_mapped() ? "2/3 S_M1"
-                           : "as given");
-  if (!points && !package.project.of_roof)
-    add("T_L", fmt::format("{:g} s", target.tl_s),
-        package.project.site.states_tl ? "project file" : "NOT STATED: assumed");
-  add("Seismic design category",
-      category_text(package.project.site, site) +
-          (target.is_mapped() || package.project.site.mapped ? "" : " (S_1 is not stated)"),
-      edition_name(target.edition) + ", tables 11.6-1 and 11.6-2 (recalled)");
-  return table;
-}
-
-Table spectrum_table(const Project& project) {
-  const DesignTarget& target = project.site.target;
-  Table table{"spectrum",
-              fmt::format("Target spectrum as given, {} (SHA-256 {})", project.spectrum_file,
-                          project.spectrum_sha256),
-              {text_column("period", "Period, s"), text_column("design", "Design S_a, g"),
-               text_column("mce", "MCE_R S_a, g")},
-              {}};
-  for (std::size_t i = 0; i < target.period_s.size(); ++i)
-    table.add({fmt::format("{:g}", target.period_s[i]),
-               fmt::format("{:.4g}", target.design_sa_g[i]),
-               fmt::format("{:.4g}", mce_over_dbe * target.design_sa_g[i])});
-  return table;
-}
-
-Table hazard_curve_table(const ProjectHazard& hazard) {
-  Table table{"hazard_curve",
-              fmt::format("Hazard curve of the site as given, {} (SHA-256 {})", hazard.curve,
-                          hazard.sha256),
-              {text_column("sds", "S_DS, g"), text_column("rate", "Annual rate")},
-              {}};
-  for (const HazardPoint& point : hazard.points)
-    table.add({fmt::format("{:.4g}", point.intensity), fmt::format("{:.4g}", point.annual_rate)});
-  return table;
+             : "OPEN: no available clearance is below the required one, but the items listed here "
+               "are open.";
 }
 
 Table demand_table(const CalculationPackage& package) {
@@ -308,6 +169,80 @@ Table demand_table(const CalculationPackage& package) {
   return package.project.of_roof ? table.without("period") : table;
 }
 
+std::string footer_text(const CalculationPackage& package) {
+  const TitleBlock& title = package.project.title;
+  return title.name + (title.revision.empty() ? "" : ", revision " + title.revision) +
+         (title.date.empty() ? "" : ", " + title.date) +
+         (package.files.empty() ? ". SIMULATED MOTIONS: NOT FOR A PERMIT" : "");
+}
+
+Table record_displacements_table(const CalculationPackage& package) {
+  const DesignClearance& design = package.design;
+  Table table{"record_displacements",
+              "Displacement under each record in the governing case, at DBE",
+              {{"number", "", "No.", ColumnKind::count},
+               text_column("id", "Record"),
+               text_column("factor", "Factor to DBE"),
+               text_column("displacement", in_inches() ? "Displacement, in" : "Displacement, m")},
+              {}};
+  const auto length = [](double length_m) {
+    return in_inches() ? fmt::format("{:.2f}", length_m / inch_m) : fmt::format("{:.4f}", length_m);
+  };
+  double sum_m = 0.0;
+  for (std::size_t i = 0; i < design.by_record_m.size(); ++i) {
+    const RecordSummary& r = package.demand.records[i];
+    table.add({static_cast<double>(i + 1), r.id,
+               fmt::format("{:.3f}", r.factor_at_unit_level * dbe_level(package.project)),
+               length(design.by_record_m[i])});
+    sum_m += design.by_record_m[i];
+  }
+  const auto count = design.by_record_m.size();
+  const double mean_m = sum_m / static_cast<double>(count);
+  const auto add = [&](const std::string& what, double value_m) {
+    table.add({std::string(), what, std::string(), length(value_m)});
+  };
+  add("Sum", sum_m);
+  add(fmt::format("Mean, sum / {}", count), mean_m);
+  if (design.of_largest)
+    add(fmt::format("{:g} \u00d7 the largest, any orientation", design.factor), design.analysis_m);
+  else
+    add(fmt::format("{:g} \u00d7 mean", design.factor), design.analysis_m);
+  table.notes.push_back(fmt::format(
+      "Governing case: {}slope {:.3g} degrees, friction {:.3f}, {} vertical motion, orientation "
+      "{}.",
+      package.project.of_roof ? ""
+      : package.project.building.alpha.empty()
+          ? fmt::format("building period {:.3g} s, mass ratio {:.3g}, ", design.period_s,
+                        design.mass_ratio)
+          : fmt::format("building period {:.3g} s, \u03b1_0 {:.3g}, ", design.period_s,
+                        design.alpha),
+      design.slope_deg, package.project.friction.design(),
+      design.vertical == VerticalChoice::none ? "without" : "with", design.orientation));
+  return table;
+}
+
+Table by_hand_table(const CalculationPackage& package) {
+  const Project& project = package.project;
+  const PrescribedValue& standard = of_standard(project, package.design);
+  Table table{
+      "by_hand",
+      fmt::format("Separations by the prescribed displacement, {}, beside those required here",
+                  length_in_both(standard.prescribed.value_m)),
+      {text_column("separation", "Separation"), text_column("factor", "Factor"),
+       text_column("prescribed", "Prescribed"), text_column("required", "Required here"),
+       text_column("ratio", "Ratio")},
+      {}};
+  const std::vector<Separation> prescribed =
+      separations_of(project.standard, standard.prescribed.value_m);
+  for (std::size_t i = 0; i < prescribed.size(); ++i) {
+    const double required_m = package.design.separations.at(i).required.value_m;
+    table.add({prescribed[i].what, fmt::format("{:.1f}", prescribed[i].factor),
+               prescribed_separation(prescribed[i].value_m), prescribed_separation(required_m),
+               fmt::format("{:.2f}", required_m / prescribed[i].value_m)});
+  }
+  return table;
+}
+
 Table prescribed_table(const CalculationPackage& package) {
   Table table{"prescribed",
               "Prescribed displacements, and the least value of an analysis",
@@ -321,49 +256,39 @@ Table prescribed_table(const CalculationPackage& package) {
                    (value.standard == package.project.standard ? " (of the project)" : ""),
                length_in_both(value.prescribed.value_m),
                not_met.empty() ? "met" : "NOT MET or not stated: " + not_met,
-               length_in(value.floor_share * value.prescribed.value_m) + ", " + value.floor_basis +
-                   " (recalled)",
+               length_in(value.floor_share * value.prescribed.value_m) + ", " + value.floor_basis,
                value.prescribed.basis});
-    table.notes.push_back(analysis_provision(value.standard) + ".");
   }
   return table;
 }
 
 Table separations_table(const CalculationPackage& package) {
-  const Prescription& prescribed = of_standard(package.project, package.design).prescribed;
+  const DesignClearance& design = package.design;
   Table table{
       "separations",
-      fmt::format(
-          "Required separations: each a factor on the governing displacement, {}, rounded up",
-          length_in_both(package.design.governing_m)),
-      {text_column("separation", "Separation"), text_column("factor", "Factor"),
-       text_column("required", "Required"), text_column("required_ft", "In feet"),
-       text_column("prescribed", fmt::format("By the full prescribed value, {}, {}",
-                                             standard_name(package.project.standard),
-                                             length_in(prescribed.value_m))),
-       text_column("available", "Available"), text_column("verdict", "Verdict")},
+      fmt::format("Required separations: each a factor on the governing displacement, {}, rounded "
+                  "up to {}",
+                  length_in_both(design.governing_m), length_in(package.project.round_up_m)),
+      {text_column("letter", ""), text_column("separation", "Separation"),
+       text_column("factor", "Factor"), text_column("required", "Required"),
+       text_column("required_ft", "In feet"), text_column("available", "Available"),
+       text_column("verdict", "Verdict")},
       {}};
-  const Standard standard = package.project.standard;
-  const std::vector<Separation> of_prescribed = separations_of(standard, prescribed.value_m);
-  const std::vector<std::string> reservations = reservations_on(package.project, package.design);
-  std::size_t row = 0;
-  for (const ProjectSeparation& s : package.design.separations) {
+  const auto letter = [&] { return std::string(1, static_cast<char>('A' + table.rows.size())); };
+  for (const ProjectSeparation& s : design.separations) {
     const bool known = s.available_m.has_value();
-    table.add({s.required.what, fmt::format("{:.1f}", s.required.factor),
+    table.add({letter(), s.required.what, fmt::format("{:.1f}", s.required.factor),
                length_in_both(s.required.value_m),
                fmt::format("{:.2f}", rounded_up(s.required.value_m / foot_m, 0.01)),
-               prescribed_separation(of_prescribed.at(row++).value_m),
                known ? length_in_both(*s.available_m) : "not stated",
                std::string(!known ? "-"
                            : *s.available_m < s.required.value_m
                                ? "NOT SUFFICIENT: " +
                                      length_in(s.required.value_m - *s.available_m) + " short"
-                           : reservations.empty() ? "sufficient"
-                                                  : "sufficient, with reservation")});
+                               : verdict_where_wide_enough(package))});
   }
-  for (const std::string& reservation : reservations)
-    table.notes.push_back("Reservation: " + reservation + ".");
-  for (const Separation& s : of_prescribed) {
+  const Standard standard = package.project.standard;
+  for (const Separation& s : separations_of(standard, design.governing_m)) {
     if (!s.basis.empty())
       table.notes.push_back(fmt::format("{}: {:g} times the displacement; {}.", capitalised(s.what),
                                         s.factor, s.basis));
@@ -478,7 +403,7 @@ Table compared_table(const CalculationPackage& package) {
 Table roof_accelerations_table(const CalculationPackage& package) {
   Table table{"roof_accelerations",
               "Peak acceleration of the roof at DBE, computed and by the standards",
-              {text_column("period", "Building period"), text_column("alpha", "alpha"),
+              {text_column("period", "Building period"), text_column("alpha", "\u03b1_0"),
                text_column("median", "Median, g"), text_column("p84", "84th percentile, g"),
                text_column("asce7_16", "ASCE 7-16, 13.3-1, g"),
                text_column("asce7_22", "ASCE 7-22, H_f, g"),

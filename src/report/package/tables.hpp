@@ -9,31 +9,48 @@
 // The tables of a calculation package. Their cells are text in the project's units.
 namespace glissade {
 
+/// The design displacement of ASCE 7-16, 13.6.12.
+inline constexpr const char* displacement_symbol = "\u0394_MPV";
+
 Table title_table(const Project& project);
-Table inputs_table(const CalculationPackage& package);
+/// Conditions of the exception for unattached arrays: value, limit, clause, verdict.
+Table scope_table(const CalculationPackage& package);
+Table criteria_table(const CalculationPackage& package);
+Table building_table(const CalculationPackage& package);
+Table array_table(const CalculationPackage& package);
+Table friction_table(const CalculationPackage& package);
+/// Of each pull; expects some.
+Table pull_tests_table(const ProjectFriction& friction);
 /// What the project gives by points: a target spectrum, a hazard curve.
 Table spectrum_table(const Project& project);
 Table hazard_curve_table(const ProjectHazard& hazard);
-Table site_table(const CalculationPackage& package);
 Table motions_table(const CalculationPackage& package);
 Table scaled_motions_table(const CalculationPackage& package);
 /// S_a of each scaled record at the building periods, their average and the design spectrum.
 Table record_spectra_table(const CalculationPackage& package);
 Table files_table(const CalculationPackage& package);
+/// From which the mean of the governing case can be added up.
+Table record_displacements_table(const CalculationPackage& package);
 Table demand_table(const CalculationPackage& package);
-Table prescribed_table(const CalculationPackage& package);
 Table separations_table(const CalculationPackage& package);
 Table sensitivity_table(const CalculationPackage& package);
 Table exceedance_table(const CalculationPackage& package);
 /// The governing displacement and what the available clearances allow.
 Table compared_table(const CalculationPackage& package);
-/// "10 % of the histories at the DBE exceed 8.2 in (95 % interval 3.1 in to 12.0 in)".
-std::string accepted_sentence(const DesignClearance& design);
 /// Of the roof, computed and by the standards.
 Table roof_accelerations_table(const CalculationPackage& package);
+/// The separations of the prescribed displacement beside those required.
+Table by_hand_table(const CalculationPackage& package);
+Table prescribed_table(const CalculationPackage& package);
+/// What is to be confirmed against the adopted code.
+Table provisions_table(const CalculationPackage& package);
 Table checks_table(const CalculationPackage& package);
 
-/// Those of the calculation that do not stand beside its verdict, as reservations.
+/// "10 % of the histories at the DBE exceed 8.2 in (95 % interval 3.1 in to 12.0 in)".
+std::string accepted_sentence(const DesignClearance& design);
+/// Why a clearance that is large enough is not called sufficient.
+std::vector<std::string> open_items(const CalculationPackage& package);
+/// Those of the calculation that are no open items.
 std::vector<std::string> shown_warnings(const CalculationPackage& package);
 /// "ASCE 7-16, 80 % of its displacement", "nonlinear response history analysis".
 std::string governed_by(const CalculationPackage& package);
@@ -42,6 +59,10 @@ std::string governed_by(const CalculationPackage& package);
 std::string hazard_sentence(const CalculationPackage& package);
 /// On the clearances that the project states.
 std::string verdict_sentence(const CalculationPackage& package);
+/// Of one clearance: "sufficient", "open", "not applicable".
+const char* verdict_where_wide_enough(const CalculationPackage& package);
+/// At the foot of each page: project, revision, and what it does not serve for.
+std::string footer_text(const CalculationPackage& package);
 /// What a reader of percentiles must know.
 inline constexpr auto percentile_note =
     "A percentile is below the mean where few records slide far.";

@@ -68,6 +68,7 @@ Table separations_table(const std::vector<StandardSeparations>& standards) {
     }
     table.notes.push_back(qualifying_parapet(standard) + ".");
   }
+  table.notes.emplace_back(verify_note);
   return table;
 }
 

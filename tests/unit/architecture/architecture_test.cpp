@@ -25,7 +25,7 @@ const std::map<std::string, std::set<std::string>> may_include = {
     {"fragility", {"core"}},
     {"standards", {"core"}},
     {"study", {"core", "motion", "building", "block", "sampling", "fragility", "standards"}},
-    {"design", {"core", "motion", "sampling", "fragility", "standards", "study"}},
+    {"design", {"core", "motion", "building", "sampling", "fragility", "standards", "study"}},
     {"parallel", {"core"}},
     {"io", {"core", "motion", "building", "sampling", "fragility", "standards", "study", "design"}},
     {"report", {"core", "motion", "sampling", "fragility", "standards", "study", "design"}},
