@@ -254,10 +254,12 @@ std::vector<std::string> choices_of(const Project& project) {
     if (project.building.alpha.empty())
       add_found(one_mass_sentence(project.building.storeys, project.building.period_s.back()));
   }
-  for (const auto& available_m : project.available_m)
-    add(available_m && *available_m > largest_probable_clearance_m,
+  std::vector<std::optional<double>> available_m = project.available_m;
+  for (const ProjectGap& gap : project.gaps) available_m.emplace_back(gap.available_m);
+  for (const auto& clearance_m : available_m)
+    add(clearance_m && *clearance_m > largest_probable_clearance_m,
         fmt::format("a clearance of {} is more than a roof has",
-                    both_units(available_m.value_or(0.0), project.units)));
+                    both_units(clearance_m.value_or(0.0), project.units)));
   add(project.round_up_m > most_rounding_m,
       fmt::format("displacements are rounded up to steps of {}",
                   both_units(project.round_up_m, project.units)));

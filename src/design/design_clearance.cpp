@@ -225,7 +225,12 @@ DesignClearance design_clearance(const Project& project, const Results& demand,
   std::vector<Separation> separations = separations_of(project.standard, design.governing_m);
   for (std::size_t i = 0; i < separations.size(); ++i) {
     separations[i].value_m = rounded_up(separations[i].value_m, project.round_up_m);
-    design.separations.push_back({separations[i], project.available_m[i]});
+    const auto is_of_kind = [&](const ProjectGap& gap) { return gap.kind == i; };
+    if (project.available_m[i] || std::ranges::none_of(project.gaps, is_of_kind))
+      design.separations.push_back({separations[i], project.available_m[i], i});
+    for (const ProjectGap& gap : project.gaps)
+      if (is_of_kind(gap))
+        design.separations.push_back({separations[i], gap.available_m, i, gap.name});
   }
   design.sensitivity = sensitivity_of(project, demand, inputs);
   design.checks = checks_of(project, demand, design);
@@ -320,10 +325,12 @@ QuantileDisplacement accepted_displacement(const Project& project, const Results
 std::vector<double> compared_displacements_m(const Project& project, double governing_m) {
   std::vector<double> all{governing_m};
   const std::vector<Separation> separations = separations_of(project.standard, governing_m);
-  for (std::size_t i = 0; i < separations.size(); ++i) {
-    const double displacement_m = allowed_m(separations[i], project.available_m[i]);
+  const auto add = [&](std::size_t kind, const std::optional<double>& available_m) {
+    const double displacement_m = allowed_m(separations[kind], available_m);
     if (displacement_m > 0.0) all.push_back(displacement_m);
-  }
+  };
+  for (std::size_t i = 0; i < separations.size(); ++i) add(i, project.available_m[i]);
+  for (const ProjectGap& gap : project.gaps) add(gap.kind, gap.available_m);
   std::ranges::sort(all);
   all.erase(std::ranges::unique(all).begin(), all.end());
   return all;

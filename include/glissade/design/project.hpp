@@ -75,6 +75,18 @@ struct ProjectFriction {
 struct ProjectSeparation {
   Separation required;
   std::optional<double> available_m;
+  std::size_t kind = 0;   ///< of separations_of()
+  std::string name = {};  ///< of a gap; else empty
+
+  /// "to a fixed object or a different array: skylight 3"
+  std::string text() const { return name.empty() ? required.what : required.what + ": " + name; }
+};
+
+/// A named distance on the roof.
+struct ProjectGap {
+  std::string name;
+  std::size_t kind = 0;  ///< of separations_of()
+  double available_m = 0.0;
 };
 
 /// How often the site has shaking of each S_DS. Of `curve`, a file relative to the project's, or
@@ -107,6 +119,7 @@ struct Project {
   std::uint64_t samples = 128, seed = 1;
   std::optional<ProjectHazard> hazard;
   std::vector<std::optional<double>> available_m;  ///< by separation of separations_of()
+  std::vector<ProjectGap> gaps;                    ///< beside these
   Standard standard = Standard::asce7_16;
   double importance = 1.0;
   bool peer_reviewed = false;

@@ -35,7 +35,7 @@ void add_results(CalculationJson& json, const DesignClearance& design) {
   json["rounded_m"] = design.rounded_m;
   for (const ProjectSeparation& s : design.separations)
     json["separations"].push_back(
-        {{"between", s.required.what},
+        {{"between", s.text()},
          {"factor", s.required.factor},
          {"least_m", s.required.least_m},
          {"required_m", s.required.value_m},
@@ -103,7 +103,7 @@ std::string numbers_json(const CalculationPackage& package) {
   for (const DisplacementExceedance& row : design.compared) {
     const char* governing = "governing displacement";
     CalculationJson compared{
-        {"what", row.separation ? design.separations[*row.separation].required.what : governing},
+        {"what", row.separation ? design.separations[*row.separation].text() : governing},
         {"displacement_m", row.displacement_m},
         {"dbe", json_of(row.dbe, of_roof)},
         {"mce", json_of(row.mce, of_roof)}};

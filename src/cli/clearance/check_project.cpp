@@ -78,11 +78,14 @@ void print_inputs(const Project& project) {
   put("{:<12}slope {} degrees\n", "roof", range_text(project.slope_deg));
   const std::vector<Separation> separations = separations_of(project.standard, 1.0);
   std::string at_hand;
-  for (std::size_t i = 0; i < separations.size(); ++i) {
-    if (project.available_m[i])
-      at_hand += fmt::format("{}{} {}", at_hand.empty() ? "" : ", ",
-                             format_length(*project.available_m[i]), separations[i].what);
-  }
+  const auto add = [&](double available_m, const std::string& what) {
+    at_hand +=
+        fmt::format("{}{} {}", at_hand.empty() ? "" : ", ", format_length(available_m), what);
+  };
+  for (std::size_t i = 0; i < separations.size(); ++i)
+    if (project.available_m[i]) add(*project.available_m[i], separations[i].what);
+  for (const ProjectGap& gap : project.gaps)
+    add(gap.available_m, separations[gap.kind].what + " (" + gap.name + ")");
   if (!at_hand.empty()) put("{:<12}{}\n", "clearances", wrapped(at_hand, terminal_width, 12));
 }
 
@@ -116,7 +119,8 @@ void check_project(const fs::path& file, const fs::path& out) {
   std::vector<std::string> warnings = choices_of(project);
   for (const Plan* plan : {&demand, &probability}) {
     for (const std::string& warning : plan->warnings) {
-      if (!project.site.hazard_analysis.empty() && is_of_hazard_analysis(project, warning)) continue;
+      if (!project.site.hazard_analysis.empty() && is_of_hazard_analysis(project, warning))
+        continue;
       if (std::ranges::find(warnings, warning) == warnings.end()) warnings.push_back(warning);
     }
   }

@@ -8,6 +8,7 @@
 #include <array>
 #include <bit>
 #include <cmath>
+#include <set>
 
 #include "enum_names.hpp"
 #include "glissade/core/file.hpp"
@@ -62,8 +63,9 @@ void require_keys(const TomlTable& root, bool of_roof) {
                 fmt::format("in [{}], {}", table, example(table, key)));
   };
   for (const GrammarKey& row : project_grammar()) {
+    if (row.usual != required) continue;
     const TomlTable table = root.table(row.table);
-    if (row.usual == required && !table.has(row.key) && !is_replaced(table, row.name()) &&
+    if (!table.has(row.key) && !is_replaced(table, row.name()) &&
         !(of_roof && is_below_roof(row)))
       require(row.table.c_str(), row.key.c_str());
   }
@@ -380,6 +382,27 @@ std::optional<ProjectHazard> read_project_hazard(const TomlTable& table, const f
                        config->design_life_years};
 }
 
+/// Kinds are in the order of separations_of().
+std::vector<ProjectGap> read_gaps(const TomlTable& root) {
+  std::vector<ProjectGap> gaps;
+  std::set<std::string> names;
+  for (const TomlTable& table : root.tables("gap")) {
+    ProjectGap gap{table.required_text("name"), 0,
+                   table.required_number("available_m", not_negative)};
+    if (!table.has("kind")) table.report_missing("kind", example("gap", "kind"));
+    gap.kind =
+        table
+            .choice<std::size_t>(
+                "kind",
+                {{"similar_array", 0}, {"obstruction", 1}, {"parapet_edge", 2}, {"open_edge", 3}})
+            .value_or(0);
+    if (!names.insert(gap.name).second)
+      table.report("name", "two gaps are named " + gap.name, "give each a name of its own");
+    gaps.push_back(std::move(gap));
+  }
+  return gaps;
+}
+
 ProjectArray read_array(const TomlTable& table) {
   return {table.text("model").value_or(""),
           table.text("ballast").value_or(""),
@@ -424,6 +447,8 @@ void read_rest(const TomlTable& root, Project& project) {
   const TomlTable clearances = root.table("clearances");
   for (const char* key : {"similar_array_m", "obstruction_m", "parapet_edge_m", "open_edge_m"})
     project.available_m.push_back(clearances.number(key, not_negative));
+
+  project.gaps = read_gaps(root);
 
   const TomlTable standards = root.table("standards");
   project.standard =

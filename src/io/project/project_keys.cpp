@@ -102,6 +102,11 @@ const std::vector<GrammarKey> keys = {
      "to an edge with parapet, where known"},
     {"clearances", "open_edge_m", "\"8 ft\"", in_example,
      "to an edge without parapet, where known"},
+    {"gap", "name", "\"skylight 3\"", alternative,
+     "one more clearance, any number of [[gap]]: each is checked"},
+    {"gap", "kind", "\"obstruction\"", alternative,
+     "\"similar_array\", \"obstruction\", \"parapet_edge\" or \"open_edge\""},
+    {"gap", "available_m", "\"3 ft\"", alternative, "the clearance"},
     {"standards", "compare", "\"asce7_16\"", in_example,
      "the standard of the permit: \"asce7_16\" or \"seaoc_pv1_2012\""},
     {"standards", "importance", "1.0", alternative, "I_e, where not that of the risk category"},
@@ -128,7 +133,7 @@ std::string project_example() {
   for (const GrammarKey& row : keys) {
     if (table != row.table) {
       table = row.table;
-      text += fmt::format("\n[{}]\n", table);
+      text += table == "gap" ? "\n# [[gap]]\n" : fmt::format("\n[{}]\n", table);
     }
     const std::string line =
         fmt::format("{}{} = {}", row.usual == alternative ? "# " : "", row.key, row.value);

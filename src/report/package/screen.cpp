@@ -107,7 +107,7 @@ std::string separation_lines(const CalculationPackage& package) {
               : fmt::format(": {}", verdict_where_wide_enough(package)));
     }
     const std::string required = fmt::format("  {:.1f} x  {:>10}  {}", s.required.factor,
-                                             length_in(s.required.value_m), s.required.what);
+                                             length_in(s.required.value_m), s.text());
     const bool fits = required.size() + 2 + verdict.size() <= terminal_width;
     text += required +
             (verdict.empty() ? "" : (fits ? "  " : "\n" + std::string(21, ' ')) + verdict) + "\n";

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "glissade/core/units.hpp"
+#include "package/tables.hpp"
 #include "package/units.hpp"
 
 namespace glissade {
@@ -30,7 +31,8 @@ class Drawing {
     body_ += fmt::format("<line x1=\"{:.1f}\" y1=\"{:.1f}\" x2=\"{:.1f}\" y2=\"{:.1f}\" {}/>\n",
                          from.x, from.y, to.x, to.y, style);
   }
-  void text(PlanPoint at, const std::string& words, const char* style = "text-anchor=\"middle\"") {
+  void text(PlanPoint at, const std::string& words,
+            const std::string& style = "text-anchor=\"middle\"") {
     body_ +=
         fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" {}>{}</text>\n", at.x, at.y, style, words);
   }
@@ -55,6 +57,13 @@ class Drawing {
   std::string body_;
 };
 
+std::ptrdiff_t most_of_a_kind(const std::vector<ProjectSeparation>& separations) {
+  std::ptrdiff_t most = 0;
+  for (const ProjectSeparation& s : separations)
+    most = std::max(most, std::ranges::count(separations, s.kind, &ProjectSeparation::kind));
+  return most;
+}
+
 }  // namespace
 
 std::string separations_sketch(const CalculationPackage& package) {
@@ -63,13 +72,15 @@ std::string separations_sketch(const CalculationPackage& package) {
   constexpr auto module = "fill=\"#dce9f5\" stroke=\"#0072b2\" stroke-width=\"1.5\"";
   constexpr auto fixed = "fill=\"#ddd\" stroke=\"#444\" stroke-width=\"1.5\"";
   // From the parapet to the open edge three gaps in a row; they take up to half of the width.
-  const auto gap_m = [&](std::size_t i) { return all.at(i).required.value_m; };
+  const auto gap_m = [&](std::size_t kind) {
+    return std::ranges::find(all, kind, &ProjectSeparation::kind)->required.value_m;
+  };
   const double row_m = gap_m(2) + gap_m(0) + gap_m(3);
   const double per_m = std::min(0.5 * (width - 2.0 * left) / row_m, 110.0 / gap_m(1));
   const double array_width = (width - 2.0 * left - per_m * row_m) / 2.0;
   constexpr double roof_top = 8.0, unit_height = 44.0, unit = roof_top + 30.0 + unit_height;
   const double top = unit + per_m * gap_m(1), bottom = top + array_height,
-               roof_bottom = bottom + 60.0;
+               roof_bottom = bottom + 45.0 + 15.0 * static_cast<double>(most_of_a_kind(all));
   const double parapet = left, first = parapet + per_m * gap_m(2),
                second = first + array_width + per_m * gap_m(0),
                edge = second + array_width + per_m * gap_m(3);
@@ -88,18 +99,21 @@ std::string separations_sketch(const CalculationPackage& package) {
   drawing.rectangle({second + 0.3 * array_width, unit - unit_height}, 0.4 * array_width,
                     unit_height, fixed);
   drawing.text({second + 0.5 * array_width, unit - unit_height / 2.0 + 5.0}, "fixed object");
-  const auto label = [&](std::size_t i) {
-    const ProjectSeparation& s = all.at(i);
-    return std::pair(
-        std::string(1, static_cast<char>('A' + i)) + ": " + length_in(s.required.value_m),
-        s.available_m ? "available " + length_in(*s.available_m) : std::string());
-  };
-  const auto write = [&](PlanPoint at, std::size_t i, const char* anchor) {
-    const auto [required, available] = label(i);
-    drawing.text(at, required,
-                 fmt::format("text-anchor=\"{}\" font-weight=\"bold\"", anchor).c_str());
-    drawing.text({at.x, at.y + 15.0}, available,
-                 fmt::format("text-anchor=\"{}\" fill=\"#444\"", anchor).c_str());
+  // Names stay in the table: the sketch has its letters.
+  const auto write = [&](PlanPoint at, std::size_t kind, const std::string& anchor) {
+    std::string letters;
+    std::vector<std::string> available;
+    for (std::size_t row = 0; row < all.size(); ++row) {
+      if (all[row].kind != kind) continue;
+      const std::string letter = separation_letter(row);
+      letters += (letters.empty() ? "" : ", ") + letter;
+      if (all[row].available_m)
+        available.push_back(letter + " available " + length_in(*all[row].available_m));
+    }
+    drawing.text(at, letters + ": " + length_in(gap_m(kind)),
+                 "text-anchor=\"" + anchor + "\" font-weight=\"bold\"");
+    for (const std::string& line : available)
+      drawing.text({at.x, at.y += 15.0}, line, "text-anchor=\"" + anchor + "\" fill=\"#444\"");
   };
   const double row = bottom + 14.0;
   for (const auto& [from, to, i] : {std::tuple(parapet, first, 2),

@@ -132,7 +132,7 @@ std::string verdict_sentence(const CalculationPackage& package) {
     if (!s.available_m) continue;
     ++known;
     if (*s.available_m < s.required.value_m)
-      lacking += fmt::format("{}{} ({} short)", lacking.empty() ? "" : ", ", s.required.what,
+      lacking += fmt::format("{}{} ({} short)", lacking.empty() ? "" : ", ", s.text(),
                              length_in(s.required.value_m - *s.available_m));
   }
   if (known == 0) return "Available clearances are not stated.";
@@ -235,7 +235,9 @@ Table by_hand_table(const CalculationPackage& package) {
   const std::vector<Separation> prescribed =
       separations_of(project.standard, standard.prescribed.value_m);
   for (std::size_t i = 0; i < prescribed.size(); ++i) {
-    const double required_m = package.design.separations.at(i).required.value_m;
+    const double required_m =
+        std::ranges::find(package.design.separations, i, &ProjectSeparation::kind)
+            ->required.value_m;
     table.add({prescribed[i].what, fmt::format("{:.1f}", prescribed[i].factor),
                prescribed_separation(prescribed[i].value_m), prescribed_separation(required_m),
                fmt::format("{:.2f}", required_m / prescribed[i].value_m)});
@@ -262,6 +264,12 @@ Table prescribed_table(const CalculationPackage& package) {
   return table;
 }
 
+std::string separation_letter(std::size_t row) {
+  constexpr std::size_t letters = 26;
+  const std::string letter(1, static_cast<char>('A' + row % letters));
+  return row < letters ? letter : letter + std::to_string(row / letters);
+}
+
 Table separations_table(const CalculationPackage& package) {
   const DesignClearance& design = package.design;
   Table table{
@@ -274,11 +282,10 @@ Table separations_table(const CalculationPackage& package) {
        text_column("required_ft", "In feet"), text_column("available", "Available"),
        text_column("verdict", "Verdict")},
       {}};
-  const auto letter = [&] { return std::string(1, static_cast<char>('A' + table.rows.size())); };
   for (const ProjectSeparation& s : design.separations) {
     const bool known = s.available_m.has_value();
-    table.add({letter(), s.required.what, fmt::format("{:.1f}", s.required.factor),
-               length_in_both(s.required.value_m),
+    table.add({separation_letter(table.rows.size()), s.text(),
+               fmt::format("{:.1f}", s.required.factor), length_in_both(s.required.value_m),
                fmt::format("{:.2f}", rounded_up(s.required.value_m / foot_m, 0.01)),
                known ? length_in_both(*s.available_m) : "not stated",
                std::string(!known ? "-"
@@ -378,9 +385,9 @@ Table compared_table(const CalculationPackage& package) {
     std::string what = "governing: " + length_in(row.displacement_m);
     if (row.separation) {
       const ProjectSeparation& separation = design.separations[*row.separation];
-      what = fmt::format("{}: {} / {:g} = {}", separation.required.what,
-                         length_in(*separation.available_m), separation.required.factor,
-                         length_in(row.displacement_m));
+      what =
+          fmt::format("{}: {} / {:g} = {}", separation.text(), length_in(*separation.available_m),
+                      separation.required.factor, length_in(row.displacement_m));
     }
     std::vector<Cell> cells{what, share_text(row.dbe), share_text(row.mce)};
     if (has_rate) {

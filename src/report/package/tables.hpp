@@ -32,6 +32,8 @@ Table files_table(const CalculationPackage& package);
 /// From which the mean of the governing case can be added up.
 Table record_displacements_table(const CalculationPackage& package);
 Table demand_table(const CalculationPackage& package);
+/// Of a row of the table, in the sketch too: "A", "B" ... "Z", "A1".
+std::string separation_letter(std::size_t row);
 Table separations_table(const CalculationPackage& package);
 Table sensitivity_table(const CalculationPackage& package);
 Table exceedance_table(const CalculationPackage& package);

@@ -95,6 +95,25 @@ TEST_F(ProjectFile, numbers_may_have_units) {
   EXPECT_EQ(problems_of(changed("= 0.25", "= \"0.25 kip\"")).size(), 1u);
 }
 
+TEST_F(ProjectFile, any_number_of_gaps_have_name_kind_and_clearance) {
+  const std::string gap =
+      "[[gap]]\nname = \"duct\"\nkind = \"open_edge\"\navailable_m = \"4 ft\"\n";
+  const Project project =
+      read(whole + gap + "[[gap]]\nname = \"hatch\"\nkind = \"obstruction\"\navailable_m = 2\n");
+  ASSERT_EQ(project.gaps.size(), 2u);
+  EXPECT_EQ(project.gaps[0].name, "duct");
+  EXPECT_EQ(project.gaps[0].available_m, 1.2192);
+  EXPECT_THAT(separations_of(project.standard, 1.0).at(project.gaps[0].kind).what,
+              HasSubstr("edge without"));
+  EXPECT_THAT(separations_of(project.standard, 1.0).at(project.gaps[1].kind).what,
+              HasSubstr("fixed object"));
+  EXPECT_EQ(problems_of(whole + gap + gap).size(), 1u);
+  EXPECT_EQ(problems_of(whole + "[[gap]]\nname = \"duct\"\n").size(), 2u);
+  EXPECT_EQ(
+      problems_of(whole + "[[gap]]\nname = \"duct\"\nkind = \"wall\"\navailable_m = 1\n").size(),
+      1u);
+}
+
 TEST_F(ProjectFile, a_period_comes_from_system_and_height) {
   const std::string text = changed(
       "period_s = [1.0, 0.5]", "system = \"other\"\nheight_m = 10.668\nperiod_bounds = [1.0, 2.0]");
