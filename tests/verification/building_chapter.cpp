@@ -7,8 +7,6 @@
 #include <span>
 
 #include "chapters.hpp"
-#include "closed_forms/cantilever.hpp"
-#include "glissade/building/modes.hpp"
 #include "glissade/building/roof_motion.hpp"
 #include "glissade/core/oscillator.hpp"
 #include "glissade/io/suite_file.hpp"
@@ -132,50 +130,17 @@ Case spectrum(const Motion& m, double period_s) {
        2e-6});
 }
 
-// -- buildings of several storeys
-
-double difference(const Mode& a, const Mode& b) {
-  return std::max({std::abs(a.period_s - b.period_s), std::abs(a.participation - b.participation),
-                   std::abs(a.mass_share - b.mass_share)});
-}
-
-Case cantilever(double alpha) {
-  const std::vector<Mode> modes = cantilever_modes(1.0, alpha, 5);
-  const closed_forms::Cantilever reference(alpha);
-  double worst = 0.0;
-  for (int n = 0; n < 5; ++n)
-    worst = worse(worst, difference(modes[static_cast<std::size_t>(n)], reference.mode(n)));
-  return limit({fmt::format("cantilever of flexure and shear, alpha {:g}, five modes", alpha),
-                "period ratio, participation, mass share",
-                "equations of Miranda & Taghavi 2005 in 100 digits"},
-               {"largest difference", worst, 2e-8});
-}
-
-Case equal_storeys(int storeys) {
-  const std::vector<double> ones(static_cast<std::size_t>(storeys), 1.0);
-  const std::vector<Mode> modes = shear_building_modes(ones, ones);
-  double worst = 0.0;
-  for (int n = 0; n < storeys; ++n) {
-    const double period_s = pi / std::sin((2 * n + 1) * pi / (4 * storeys + 2));
-    worst = worse(worst, std::abs(modes[static_cast<std::size_t>(n)].period_s / period_s - 1.0));
-  }
-  return limit({fmt::format("shear building of {} equal storeys", storeys), "periods",
-                "closed form, 2 sin((2n - 1) pi/(4N + 2))"},
-               {"largest relative difference", worst, 1e-12});
-}
-
 }  // namespace
 
 Chapter buildings(const Folders& folders) {
   const Motion motion = load_suite(folders.suites / "synthetic_level2.toml").motions.front();
   Chapter chapter{
-      "4. Buildings and response spectra",
+      "4.1 Buildings and response spectra",
       "Nigam & Jennings 1969, in 50 digits",
       R"(A linear oscillator under piecewise-linear ground acceleration is exact at its samples. Its coefficients
 are compared with the published ones in 50 digits, and its steady state with the closed form. Response
 spectra have separate code: they are compared with closed forms, and with the recurrence of the textbook
-on a fine grid. Modes of buildings of several storeys are compared with closed forms and with the published
-equations in 100 digits.)",
+on a fine grid.)",
       {}};
   for (const double phase : {1e-6, 1e-3, 0.0157, 0.3, 0.999, 1.001, 3.0, 40.0})
     chapter.cases.push_back(coefficients(phase));
@@ -186,8 +151,6 @@ equations in 100 digits.)",
   chapter.cases.push_back(ramp_response());
   for (const double period_s : {0.02, 0.05, 0.2, 1.0, 2.0})
     chapter.cases.push_back(spectrum(motion, period_s));
-  for (const double alpha : {0.5, 2.0, 10.0, 30.0}) chapter.cases.push_back(cantilever(alpha));
-  for (const int storeys : {1, 3, 12}) chapter.cases.push_back(equal_storeys(storeys));
   return chapter;
 }
 

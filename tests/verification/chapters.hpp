@@ -11,6 +11,7 @@ Chapter published_scheme(
 Chapter closed_form_solutions();  ///< pulses and harmonics, the block and the roof below it
 Chapter table_kernel(const Folders& folders);  ///< the tabulated event search
 Chapter buildings(const Folders& folders);
+Chapter buildings_of_storeys();  ///< their modes, and an array on them
 Chapter fragility();
 Chapter interval_coverage();  ///< nominal 95 % against simulated studies
 Chapter sampling();

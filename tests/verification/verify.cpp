@@ -87,6 +87,7 @@ int main(int argc, char** argv) try {
                                    closed_form_solutions(),
                                    table_kernel(folders),
                                    buildings(folders),
+                                   buildings_of_storeys(),
                                    fragility(),
                                    interval_coverage(),
                                    sampling(),

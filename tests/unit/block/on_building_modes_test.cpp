@@ -2,54 +2,23 @@
 // The full model on buildings of several modes.
 #include <gtest/gtest.h>
 
-#include <numeric>
-
 #include "unit/block/truth_scenes.hpp"
 
 namespace glissade {
 namespace on_building_modes_test {
 
+using test::modes_of;
+using test::numbers;
 using test::OnBuilding;
 using test::ShearBuilding;
+using test::StoreyScene;
+using test::three_storeys;
 using test::TwoAxisTruth;
-
-/// Three storeys, the lightest floor on top, of a first period near 0.45 s.
-ShearBuilding three_storeys(double stiffer = 1.0, double damping_ratio = 0.05) {
-  return {{1.0, 0.8, 0.5}, {700.0 * stiffer, 500.0 * stiffer, 300.0 * stiffer}, damping_ratio};
-}
-
-Modes modes_of(const ShearBuilding& building) {
-  std::vector<Mode> modes = shear_building_modes(building.masses, building.stiffnesses);
-  for (Mode& mode : modes) mode.damping_ratio = building.damping_ratio;
-  return Modes(modes);
-}
 
 /// The first modes of a cantilever, in all some 95 % of its mass.
 Modes cantilever(double period_s, double alpha, std::size_t count) {
   return Modes(cantilever_modes(period_s, alpha, count));
 }
-
-struct StoreyScene {
-  OnBuilding scene;
-  std::array<ShearBuilding, 2> storeys;
-
-  StoreyScene(unsigned seed, double mass_ratio, bool two_axes) : scene(seed, 160, 9.0) {
-    scene.dt_s = 0.01;
-    scene.building = {};
-    scene.building.mass_ratio = mass_ratio;
-    storeys[0] = three_storeys();
-    if (two_axes) storeys[1] = three_storeys(0.6, 0.03);
-    for (std::size_t n = 0; n < (two_axes ? 2u : 1u); ++n)
-      scene.building.horizontal[n] = modes_of(storeys[n]);
-    if (!two_axes) scene.second.clear();
-    if (!two_axes) scene.block.azimuth_rad = 0.0;
-  }
-  TwoAxisTruth truth() const {
-    test::TruthScene as = test::as_truth(scene);
-    as.storeys = storeys;
-    return TwoAxisTruth(as);
-  }
-};
 
 // The truth has the full matrices of mass, damping and stiffness, and no modes.
 TEST(slide_on_modes, three_storeys_are_their_full_matrices) {
@@ -98,77 +67,6 @@ TEST(slide_on_modes, base_shear_and_roof_displacement_are_those_of_the_full_matr
   }
 }
 
-// On a flat roof without friction it stays where it is: its slip is the motion of the roof.
-TEST(slide_on_modes, without_friction_slip_is_the_sum_over_the_modes) {
-  OnBuilding scene;
-  scene.second.clear();
-  scene.block = {};
-  scene.tolerance = 1e-9;
-  scene.building = {{cantilever(0.6, 5.0, 4), Modes()}, {}, 0.3};
-  const double all = scene.result().slip.residual.along_m;
-  const auto along = [&](const Modes& axis) {
-    OnBuilding one = scene;
-    one.building = {{axis, Modes()}, {}, 0.0};
-    return one.result().slip.residual.along_m;
-  };
-  const Modes& modes = scene.building.horizontal[0];
-  double sum = modes.ground_share() * along(Modes()), size = std::abs(sum);
-  for (const Mode& mode : modes) {
-    const double part = mode.participation * along(mode.oscillator());
-    sum += part;
-    size += std::abs(part);
-  }
-  EXPECT_NEAR(all, sum, 1e-7 * size);
-}
-
-// Undamped, both buildings have normal modes: those with M, and those with M + m at the roof. Both
-// are followed over a minute after the record.
-TEST(slide_on_modes, with_the_array_stuck_they_are_those_with_its_mass_on_the_roof) {
-  for (const double ratio : {0.1, 0.5}) {
-    OnBuilding scene(2, 300, 4.0);
-    scene.second.clear();
-    scene.first.resize(12000, 0.0);
-    scene.first.back() = 1e-9;
-    scene.block.friction = {5.0, 5.0};
-    ShearBuilding building = three_storeys(1.0, 0.0);
-    scene.building = {{modes_of(building), Modes()}, {}, ratio};
-    const BuildingSlip carries = scene.result();
-    EXPECT_EQ(carries.slip.slip_phases, 0u);
-    building.masses.back() +=
-        ratio * std::accumulate(building.masses.begin(), building.masses.end(), 0.0);
-    scene.building = {{modes_of(building), Modes()}, {}, 0.0};
-    const BuildingSlip heavier = scene.result();
-    EXPECT_NEAR(carries.peak_roof_displacement_m[0], heavier.peak_roof_displacement_m[0],
-                1e-9 * heavier.peak_roof_displacement_m[0]);
-    const double shear = (1.0 + ratio) * heavier.peak_base_shear[0];
-    EXPECT_NEAR(carries.peak_base_shear[0], shear, 1e-9 * shear);
-  }
-}
-
-std::vector<double> numbers(const BuildingSlip& r) {
-  return {r.slip.peak_displacement_m,    r.slip.residual.along_m,
-          r.slip.residual.across_m,      r.slip.path_length_m,
-          r.slip.peak_velocity_mps,      static_cast<double>(r.slip.slip_phases),
-          r.peak_base_shear[0],          r.peak_base_shear[1],
-          r.peak_roof_displacement_m[0], r.peak_roof_displacement_m[1]};
-}
-
-TEST(slide_on_modes, one_mass_among_modes_without_participation_is_one_mass_to_the_bit) {
-  for (const double mass_ratio : {0.0, 0.2}) {
-    OnBuilding scene;
-    scene.building.mass_ratio = mass_ratio;
-    const std::vector<double> one = numbers(scene.result());
-    for (Modes& axis : scene.building.horizontal) {
-      const double period_s = axis.period_s();
-      const Mode among[] = {
-          {2.0 * period_s, 0.0, 0.1, 0.02}, {period_s, 1.0, 1.0, 0.05}, {0.05, 0.0, 0.1, 0.0}};
-      axis = Modes(among);
-    }
-    EXPECT_EQ(numbers(scene.result()), one);
-    EXPECT_GT(one[0], 1e-3);
-  }
-}
-
 // The general equations with one mass in them: a second mode takes no part.
 TEST(slide_on_modes, a_mode_of_hardly_any_participation_changes_hardly_anything) {
   OnBuilding scene;
@@ -193,26 +91,6 @@ OnBuilding on_cantilevers(double mass_ratio) {
   OnBuilding scene;
   scene.building = {{cantilever(0.6, 5.0, 4), cantilever(0.4, 10.0, 3)}, {}, mass_ratio};
   return scene;
-}
-
-TEST(slide_on_modes, mirrors_and_scales_exactly) {
-  for (const double mass_ratio : {0.0, 0.2}) {
-    const OnBuilding scene = on_cantilevers(mass_ratio);
-    const std::vector<double> one = numbers(scene.result());
-    EXPECT_GT(one[0], 1e-3);
-    OnBuilding mirrored = scene;
-    mirrored.block.azimuth_rad = -scene.block.azimuth_rad;
-    for (double& a : mirrored.second) a = -a;
-    std::vector<double> image = numbers(mirrored.result());
-    image[2] = -image[2];
-    EXPECT_EQ(image, one);
-    OnBuilding stronger = scene;
-    stronger.factor *= 4.0;
-    stronger.block.gravity_mps2 *= 4.0;
-    std::vector<double> more = numbers(stronger.result());
-    for (const std::size_t k : {0u, 1u, 2u, 3u, 4u, 8u, 9u}) more[k] /= 4.0;
-    EXPECT_EQ(more, one);
-  }
 }
 
 TEST(slide_on_modes, zeros_after_the_record_change_not_a_bit) {

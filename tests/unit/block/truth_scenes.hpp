@@ -60,6 +60,48 @@ inline TruthScene as_truth(const OnBuilding& scene) {
           .block = scene.block};
 }
 
+/// Three storeys, the lightest floor on top, of a first period near 0.45 s.
+inline ShearBuilding three_storeys(double stiffer = 1.0, double damping_ratio = 0.05) {
+  return {{1.0, 0.8, 0.5}, {700.0 * stiffer, 500.0 * stiffer, 300.0 * stiffer}, damping_ratio};
+}
+
+inline Modes modes_of(const ShearBuilding& building) {
+  std::vector<Mode> modes = shear_building_modes(building.masses, building.stiffnesses);
+  for (Mode& mode : modes) mode.damping_ratio = building.damping_ratio;
+  return Modes(modes);
+}
+
+/// A scene on three storeys, along one axis or both, and its truth by full matrices.
+struct StoreyScene {
+  OnBuilding scene;
+  std::array<ShearBuilding, 2> storeys;
+
+  StoreyScene(unsigned seed, double mass_ratio, bool two_axes) : scene(seed, 160, 9.0) {
+    scene.dt_s = 0.01;
+    scene.building = {};
+    scene.building.mass_ratio = mass_ratio;
+    storeys[0] = three_storeys();
+    if (two_axes) storeys[1] = three_storeys(0.6, 0.03);
+    for (std::size_t n = 0; n < (two_axes ? 2u : 1u); ++n)
+      scene.building.horizontal[n] = modes_of(storeys[n]);
+    if (!two_axes) scene.second.clear();
+    if (!two_axes) scene.block.azimuth_rad = 0.0;
+  }
+  TwoAxisTruth truth() const {
+    TruthScene as = as_truth(scene);
+    as.storeys = storeys;
+    return TwoAxisTruth(as);
+  }
+};
+
+inline std::vector<double> numbers(const BuildingSlip& r) {
+  return {r.slip.peak_displacement_m,    r.slip.residual.along_m,
+          r.slip.residual.across_m,      r.slip.path_length_m,
+          r.slip.peak_velocity_mps,      static_cast<double>(r.slip.slip_phases),
+          r.peak_base_shear[0],          r.peak_base_shear[1],
+          r.peak_roof_displacement_m[0], r.peak_roof_displacement_m[1]};
+}
+
 /// Largest difference in any displacement, relative to the peak; for TwoAxisResult or TwoAxisPeak.
 template <class Result>
 double error_of(const Result& r, const TwoAxisTruth& truth) {

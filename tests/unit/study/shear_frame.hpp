@@ -3,6 +3,7 @@
 
 #include <Eigen/Dense>
 #include <cmath>
+#include <complex>
 #include <numbers>
 #include <span>
 #include <vector>
@@ -19,7 +20,7 @@ class ShearFrame {
   /// @param masses_kg, stiffnesses_npm from the ground up
   ShearFrame(const std::vector<double>& masses_kg, const std::vector<double>& stiffnesses_npm,
              double damping)
-      : floors_(static_cast<Eigen::Index>(masses_kg.size())) {
+      : floors_(static_cast<Eigen::Index>(masses_kg.size())), roof_floor_kg_(masses_kg.back()) {
     Eigen::MatrixXd k = Eigen::MatrixXd::Zero(floors_, floors_);
     for (Eigen::Index i = 0; i < floors_; ++i) {
       const double k_below = stiffnesses_npm[static_cast<std::size_t>(i)];
@@ -66,6 +67,17 @@ class ShearFrame {
     return roof;
   }
 
+  /// Steady displacement of the roof, relative to a ground of a harmonic of 1 m/s2, with more mass
+  /// on the roof.
+  double roof_amplitude_m(double omega_radps, double roof_mass_kg) const {
+    Eigen::VectorXd mass = Eigen::VectorXd::Ones(floors_);  // over that of the floor
+    mass[floors_ - 1] += roof_mass_kg / roof_floor_kg_;
+    const Eigen::MatrixXcd dynamic = stiffness_ +
+                                     std::complex<double>(0.0, omega_radps) * damping_ -
+                                     omega_radps * omega_radps * Eigen::MatrixXd(mass.asDiagonal());
+    return std::abs(dynamic.lu().solve(mass.cast<std::complex<double>>())[floors_ - 1]);
+  }
+
  private:
   /// Taylor's series of a small matrix.
   static Eigen::MatrixXd exponential(const Eigen::MatrixXd& a) {
@@ -89,6 +101,7 @@ class ShearFrame {
   }
 
   Eigen::Index floors_;
+  double roof_floor_kg_;
   Eigen::MatrixXd stiffness_, damping_;  ///< per mass
 };
 
