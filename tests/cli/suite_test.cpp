@@ -75,6 +75,30 @@ TEST(Suite, dbe_factors_are_two_thirds_of_mce_factors) {
   EXPECT_NEAR(std::stod(cells_of(dbe.back())[1]), std::stod(cells_of(mce.back())[1]) * 2 / 3, 1e-4);
 }
 
+TEST(Suite, scale_names_the_clause_of_its_rule_and_warns_of_too_few_records) {
+  const Finished srss = run_program({"suite", "scale", level0, "--rule", "asce7_10", "--period-s",
+                                     "0.5", "--target", "dbe", "--max-factor", "20"});
+  EXPECT_EQ(srss.status, 0) << srss.err;
+  EXPECT_THAT(srss.out, states("ASCE 7-10, 16.1.3.2", "dbe target", "0.1 to 0.75 s", "lowest 1 at",
+                               "level0_7,"));
+  EXPECT_THAT(srss.out, testing::Not(testing::HasSubstr("WARNING")));
+  const Finished rotated =
+      run_program({"suite", "scale", level0, "--rule", "asce7_22", "--period-s", "0.6", "0.5",
+                   "--to-1.5t", "--max-factor", "20"});
+  EXPECT_EQ(rotated.status, 0) << rotated.err;
+  EXPECT_THAT(rotated.out, states("ASCE 7-22, 16.2.3.1", "RotD100", "0.1 to 0.9 s",
+                                  "WARNING: 7 motions", "16.2.2", "11 at least"));
+  const auto refused = [](std::vector<std::string> more, const std::vector<std::string>& facts) {
+    more.insert(more.begin(), {"suite", "scale", level0});
+    expect_refused(run_program(more), facts);
+  };
+  refused({"--rule", "asce7_05"}, {"--rule", "asce7_05", "asce7_16"});
+  refused({"--rule", "asce7_16"}, {"--period-s", "missing"});
+  refused({"--rule", "asce7_10", "--period-s", "0.5", "--to-1.5t"}, {"--to-1.5t", "not mixed"});
+  refused({"--period-s", "0.5"}, {"--period-s", "Walters"});
+  refused({"--rule", "asce7_10", "--period-s", "-1"}, {"--period-s", "above 0"});
+}
+
 TEST(Suite, mistakes_are_refused) {
   const ScratchFolder folder;
   expect_refused(run_program({"suite", "show", folder.path("none.toml").string()}),

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 
@@ -14,6 +15,7 @@
 #include "glissade/motion/improbable.hpp"
 #include "glissade/motion/intensity.hpp"
 #include "glissade/motion/roof_words.hpp"
+#include "glissade/motion/scaling_rule.hpp"
 #include "glissade/motion/simulation/suite_design.hpp"
 #include "glissade/motion/suite_scaling.hpp"
 #include "glissade/motion/walters_level.hpp"
@@ -28,7 +30,9 @@ namespace {
 
 struct SuiteOptions {
   std::string suite, out;
-  std::string target = "mce";
+  std::string target = "mce", rule = "walters_2012";
+  std::vector<double> periods_s;  ///< first ones of the building
+  bool to_one_and_a_half = false;
   double damping = 0.05, max_factor = 4.0;
   int level = 2;
   std::uint64_t seed = 20260101;
@@ -149,6 +153,38 @@ void spectra(const SuiteOptions& o) {
   deliver(o, to_csv(table));
 }
 
+ScalingRule rule_of(const SuiteOptions& o) {
+  try {
+    return parse_scaling_rule(o.rule);
+  } catch (const InputError& error) {
+    Problem problem = error.problems().front();
+    problem.where = "--rule";
+    throw InputError(problem);
+  }
+}
+
+/// Throws InputError where options are given that the rule does not have.
+FirstPeriods building_of(const SuiteOptions& o, ScalingRule rule) {
+  const bool of_16_2 = rule == ScalingRule::asce7_16 || rule == ScalingRule::asce7_22;
+  if (o.to_one_and_a_half && !of_16_2)
+    throw InputError({"--to-1.5t", "is of asce7_16 and asce7_22 (16.2.3.1)",
+                      "leave it out: rules are not mixed", ""});
+  if (!o.periods_s.empty() && rule == ScalingRule::walters_2012)
+    throw InputError({"--period-s", "Walters's rule is from 0 to 2 s for every building",
+                      "leave it out, or give another --rule", ""});
+  if (rule == ScalingRule::walters_2012) return {};
+  if (o.periods_s.empty())
+    throw InputError({"--period-s", "is missing: the rule is of the building's first periods",
+                      "give that of both axes, or both: --period-s 0.4 0.6", ""});
+  const auto [shortest, longest] = std::ranges::minmax(o.periods_s);
+  if (!(shortest > 0.0) || !(longest <= longest_probable_period_s))
+    throw InputError({"--period-s",
+                      fmt::format("{:g} and {:g} s are not above 0, up to {:g} s", shortest,
+                                  longest, longest_probable_period_s),
+                      "give the first periods of the building in s", ""});
+  return {shortest, longest, o.to_one_and_a_half};
+}
+
 void scale(const SuiteOptions& o) {
   if (o.target != "mce" && o.target != "dbe")
     throw InputError({"--target", o.target + " is not a target", "give mce or dbe", ""});
@@ -157,16 +193,21 @@ void scale(const SuiteOptions& o) {
   const auto wanted = [&](double period) {
     return o.target == "mce" ? target.mce_sa_g(period) : target.design_sa_g(period);
   };
-  const SuiteScaling scaling =
-      scale_suite_to_target(suite, wanted, walters_periods_s(), o.max_factor);
-  Table table{"scale",
-              fmt::format("one factor per record for its three components: average SRSS spectrum "
-                          "the {} target or more at the periods of the rule, 0 to 2 s",
-                          o.target),
-              {{"id", "", "id", ColumnKind::text}, {"scale", "", "scale"}},
-              {},
-              {fmt::format("(Walters et al. 2012); touches it at {:g} s; largest factor {:.3f}",
-                           scaling.controlling_period_s, scaling.largest_factor)}};
+  const ScalingRule rule = rule_of(o);
+  const RuleScaling scaling =
+      scale_by_rule(suite, rule, building_of(o, rule), wanted, o.max_factor);
+  const ScalingRuleText& text = text_of(rule);
+  Table table{
+      "scale",
+      fmt::format("one factor per record for its three components, to the {} target: {}, {}",
+                  o.target, text.clause, text.spectrum),
+      {{"id", "", "id", ColumnKind::text}, {"scale", "", "scale"}},
+      {},
+      {fmt::format("average over the target from {:.3g} to {:.3g} s: lowest {:.4g} at {:.3g} "
+                   "s, mean {:.4g}; largest factor {:.3f}",
+                   scaling.range.from_s, scaling.range.to_s, scaling.lowest.ratio,
+                   scaling.lowest.period_s, scaling.mean_ratio, scaling.largest_factor)}};
+  for (const std::string& warning : scaling.warnings) table.notes.push_back("WARNING: " + warning);
   for (std::size_t i = 0; i < suite.motions.size(); ++i)  // as suite files keep them
     table.add({suite.motions[i].id, std::round(1e4 * scaling.factors[i]) / 1e4});
   put("{}", to_csv(table));
@@ -209,9 +250,18 @@ void add_suite(CLI::App& program) {
   spectra_verb->add_option("--out", o->out, "file [standard output]");
   add_overwrite(*spectra_verb, o->overwrite);
   CLI::App* scale_verb =
-      verb("scale", "Scale factors to the suite's target spectrum, by Walters's rule", scale);
+      verb("scale", "Scale factors to the suite's target spectrum, by a rule", scale);
   takes_suite(scale_verb);
   scale_verb->add_option("--target", o->target, "mce or dbe (2/3 of it)");
+  scale_verb->add_option("--rule", o->rule,
+                         "walters_2012, asce7_10 (16.1.3.2), asce7_16, asce7_22 (16.2.3), or "
+                         "single_period (RotD50 of each record)");
+  scale_verb
+      ->add_option("--period-s", o->periods_s,
+                   "first period of the building, or those of both axes; not of walters_2012")
+      ->expected(1, 2);
+  scale_verb->add_flag("--to-1.5t", o->to_one_and_a_half,
+                       "up to 1.5 T in place of 2 T, where an analysis justifies it (16.2.3.1)");
   scale_verb->add_option("--max-factor", o->max_factor, "largest factor allowed");
   CLI::App* design_verb = verb(
       "design", "Design a built-in suite: recipe of seven simulated motions for an Intensity Level",

@@ -1,0 +1,238 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "glissade/motion/scaling_rule.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numeric>
+
+#include "glissade/core/contract.hpp"
+#include "glissade/core/error.hpp"
+#include "glissade/core/units.hpp"
+#include "glissade/motion/rotated_spectrum.hpp"
+#include "spectral_scaling.hpp"
+
+namespace glissade {
+namespace {
+
+constexpr std::array<ScalingRuleText, 5> texts{
+    {{"walters_2012", "Walters et al. (2012)", "Walters et al. (2012)",
+      "average SRSS spectrum nowhere below the target from 0 to 2 s"},
+     {"asce7_10", "ASCE 7-10", "ASCE 7-10, 16.1.3.2 (recalled: verify)",
+      "average SRSS spectrum nowhere below the target from 0.2 T to 1.5 T"},
+     {"asce7_16", "ASCE 7-16", "ASCE 7-16, 16.2.3.1 and 16.2.3.2 (recalled: verify)",
+      "average maximum-direction spectrum (RotD100) nowhere below 0.9 times the target and on "
+      "average not below it"},
+     {"asce7_22", "ASCE 7-22", "ASCE 7-22, 16.2.3.1 and 16.2.3.2 (recalled: verify)",
+      "average maximum-direction spectrum (RotD100) nowhere below 0.9 times the target and on "
+      "average not below it"},
+     {"single_period", "single period", "no clause of ASCE 7",
+      "RotD50 of every motion equal to the target at one period"}}};
+
+bool is_of_16_2(ScalingRule rule) {
+  return rule == ScalingRule::asce7_16 || rule == ScalingRule::asce7_22;
+}
+
+void check_building(ScalingRule rule, const FirstPeriods& building) {
+  const auto is_period = [](double t_s) { return std::isfinite(t_s) && t_s > 0.0; };
+  if (is_period(building.shortest_s) && is_period(building.longest_s) &&
+      building.shortest_s <= building.longest_s)
+    return;
+  throw InputError({text_of(rule).key,
+                    fmt::format("needs the building's first periods along both axes, above 0, the "
+                                "shorter first: they are {:g} and {:g} s",
+                                building.shortest_s, building.longest_s),
+                    "give one period, or both", ""});
+}
+
+/// Neighbours 0.5 % apart.
+std::vector<double> periods_over(const PeriodRange& range) {
+  constexpr double growth = 1.005;
+  const double steps = std::ceil(std::log(range.to_s / range.from_s) / std::log(growth));
+  std::vector<double> periods_s;
+  for (double i = 0.0; i <= steps; ++i)
+    periods_s.push_back(range.from_s * std::pow(range.to_s / range.from_s, i / steps));
+  return periods_s;
+}
+
+std::vector<std::string> too_few(ScalingRule rule, std::size_t motions) {
+  if (is_of_16_2(rule) && motions < 11)
+    return {fmt::format("{} motions: {}, 16.2.2 (recalled: verify) requires 11 at least", motions,
+                        text_of(rule).name)};
+  if (rule == ScalingRule::asce7_10 && motions < 3)
+    return {fmt::format("{} motions: ASCE 7-10, 16.1.3 (recalled: verify) requires 3 at least",
+                        motions)};
+  if (rule == ScalingRule::asce7_10 && motions < 7)
+    return {
+        fmt::format("{} motions: with fewer than 7, ASCE 7-10, 16.1.4 (recalled: verify) takes "
+                    "the largest response, not the average",
+                    motions)};
+  return {};
+}
+
+double mean_of(const std::vector<double>& values) {
+  return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
+}
+
+void refuse_unreached(const Suite& suite, double ratio, const char* what, double max_factor) {
+  throw InputError({suite.name,
+                    fmt::format("with every motion at max_factor = {:g} the average is {:.3g} of "
+                                "the target {}",
+                                max_factor, ratio, what),
+                    "allow a larger factor, or choose stronger motions", ""});
+}
+
+/// The spectra of a suite by a rule, and its target.
+struct RuleSpectra {
+  std::vector<double> periods_s, target_g;
+  SpectrumRows rows;
+  Spectra spectra() const { return {rows.begin(), rows.end()}; }
+};
+
+RuleSpectra spectra_by_rule(const Suite& suite, ScalingRule rule, std::vector<double> periods_s,
+                            const std::function<double(double)>& target_sa_g) {
+  RuleSpectra s{std::move(periods_s), {}, {}};
+  s.target_g = target_at(target_sa_g, s.periods_s);
+  for (const Motion& motion : suite.motions) {
+    s.rows.push_back(spectrum_by_rule_g(motion, rule, s.periods_s));
+    if (!(std::ranges::min(s.rows.back()) > 0.0))
+      throw InputError({motion.id,
+                        "the motion's horizontals are zero throughout: no factor brings them to a "
+                        "target",
+                        "leave it out of the suite", ""});
+  }
+  return s;
+}
+
+void take_ratios(RuleScaling& scaling, const RuleSpectra& s) {
+  const std::vector<double> ratios = average_ratios(scaling.factors, s.spectra(), s.target_g);
+  const auto lowest = std::ranges::min_element(ratios);
+  scaling.lowest = {*lowest, s.periods_s[static_cast<std::size_t>(lowest - ratios.begin())]};
+  scaling.mean_ratio = mean_of(ratios);
+  scaling.largest_factor = std::ranges::max(scaling.factors);
+}
+
+/// The least common factor for which the average is nowhere below `least` times the target, nor on
+/// average below `mean` times it.
+std::vector<double> lifted_factors(const Suite& suite, const RuleSpectra& s, double least,
+                                   double mean, double max_factor) {
+  const Spectra spectra = s.spectra();
+  const std::vector<double> at_most =
+      average_ratios(std::vector<double>(spectra.size(), max_factor), spectra, s.target_g);
+  const auto weakest = std::ranges::min_element(at_most);
+  if (*weakest < least)
+    refuse_unreached(
+        suite, *weakest,
+        fmt::format("at {:.3g} s", s.periods_s[static_cast<std::size_t>(weakest - at_most.begin())])
+            .c_str(),
+        max_factor);
+  if (mean_of(at_most) < mean)
+    refuse_unreached(suite, mean_of(at_most), "on average over the periods", max_factor);
+  std::vector<double> closest(spectra.size());
+  std::ranges::transform(spectra, closest.begin(), [&](std::span<const double> spectrum) {
+    return closest_factor(spectrum, s.target_g);
+  });
+  const auto lifted = [&](double fraction) {
+    std::vector<double> wanted_g = s.target_g;
+    for (double& sa : wanted_g) sa *= fraction;
+    return lift_to_target(closest, spectra, wanted_g, max_factor).factors;
+  };
+  // Where no motion is at max_factor the mean grows with the fraction, else by less.
+  double fraction = least;
+  std::vector<double> factors = lifted(fraction);
+  constexpr int most_rounds = 200;
+  constexpr double rounding = 1e-12;
+  for (int round = 0; round < most_rounds; ++round) {
+    const double reached = mean_of(average_ratios(factors, spectra, s.target_g));
+    if (reached >= mean * (1.0 - rounding)) break;
+    fraction = std::min(fraction * mean / reached, *weakest);
+    factors = lifted(fraction);
+  }
+  return factors;
+}
+
+RuleScaling scale_at_one_period(const Suite& suite, const FirstPeriods& building,
+                                const std::function<double(double)>& target_sa_g,
+                                double max_factor) {
+  const RuleSpectra s =
+      spectra_by_rule(suite, ScalingRule::single_period, {building.longest_s}, target_sa_g);
+  RuleScaling scaling;
+  for (std::size_t i = 0; i < s.rows.size(); ++i) {
+    scaling.factors.push_back(s.target_g[0] / s.rows[i][0]);
+    if (scaling.factors.back() > max_factor)
+      throw InputError({suite.motions[i].id,
+                        fmt::format("needs the factor {:.4g}, above max_factor = {:g}",
+                                    scaling.factors.back(), max_factor),
+                        "allow it, or choose a stronger motion", ""});
+  }
+  take_ratios(scaling, s);
+  return scaling;
+}
+
+}  // namespace
+
+const ScalingRuleText& text_of(ScalingRule rule) {
+  return texts.at(static_cast<std::size_t>(rule));
+}
+
+ScalingRule parse_scaling_rule(const std::string& key) {
+  std::string known;
+  for (std::size_t i = 0; i < texts.size(); ++i) {
+    if (key == texts[i].key) return static_cast<ScalingRule>(i);
+    known += (i == 0 ? "" : ", ") + std::string(texts[i].key);
+  }
+  throw InputError({"", "\"" + key + "\" is no rule of scaling", "give one of: " + known, ""});
+}
+
+PeriodRange period_range(ScalingRule rule, const FirstPeriods& building) {
+  if (rule == ScalingRule::walters_2012) return {0.0, longest_scaled_period_s};
+  check_building(rule, building);
+  if (rule == ScalingRule::single_period) return {building.longest_s, building.longest_s};
+  const double upper = rule == ScalingRule::asce7_10 || building.to_one_and_a_half ? 1.5 : 2.0;
+  return {0.2 * building.shortest_s, upper * building.longest_s};
+}
+
+std::vector<double> spectrum_by_rule_g(const Motion& motion, ScalingRule rule,
+                                       const std::vector<double>& periods_s) {
+  if (rule == ScalingRule::walters_2012 || rule == ScalingRule::asce7_10)
+    return srss_spectrum_g(motion, periods_s);
+  RotatedSpectrum rotated = rotated_spectrum(motion, periods_s);
+  std::vector<double>& sa = is_of_16_2(rule) ? rotated.rotd100_mps2 : rotated.rotd50_mps2;
+  for (double& value : sa) value /= standard_gravity_mps2;
+  return std::move(sa);
+}
+
+RuleScaling scale_by_rule(const Suite& suite, ScalingRule rule, const FirstPeriods& building,
+                          const std::function<double(double)>& target_sa_g, double max_factor) {
+  const PeriodRange range = period_range(rule, building);
+  RuleScaling scaling;
+  if (rule == ScalingRule::walters_2012) {
+    const SuiteScaling found =
+        scale_suite_to_target(suite, target_sa_g, walters_periods_s(), max_factor);
+    scaling.factors = found.factors;
+    take_ratios(scaling, spectra_by_rule(suite, rule, walters_periods_s(), target_sa_g));
+  } else {
+    if (suite.motions.empty())
+      throw InputError({suite.name, "the suite has no motions", "give at least one", ""});
+    if (!(std::isfinite(max_factor) && max_factor > 0.0))
+      throw InputError({suite.name,
+                        fmt::format("max_factor = {} is not a positive number", max_factor),
+                        "ASCE 7 has no limit; Walters et al. (2012) went up to 3 to 6", ""});
+    if (rule == ScalingRule::single_period) {
+      scaling = scale_at_one_period(suite, building, target_sa_g, max_factor);
+    } else {
+      const RuleSpectra s = spectra_by_rule(suite, rule, periods_over(range), target_sa_g);
+      const bool of_16_2 = is_of_16_2(rule);
+      scaling.factors =
+          lifted_factors(suite, s, of_16_2 ? 0.9 : 1.0, of_16_2 ? 1.0 : 0.0, max_factor);
+      take_ratios(scaling, s);
+    }
+  }
+  scaling.range = range;
+  scaling.warnings = too_few(rule, suite.motions.size());
+  return scaling;
+}
+
+}  // namespace glissade
