@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "cli/child.hpp"
+#include "cli/shaking.hpp"
 
 namespace glissade::test {
 namespace {
@@ -97,6 +98,37 @@ TEST(Suite, scale_names_the_clause_of_its_rule_and_warns_of_too_few_records) {
   refused({"--rule", "asce7_10", "--period-s", "0.5", "--to-1.5t"}, {"--to-1.5t", "not mixed"});
   refused({"--period-s", "0.5"}, {"--period-s", "Walters"});
   refused({"--rule", "asce7_10", "--period-s", "-1"}, {"--period-s", "above 0"});
+}
+
+TEST(Suite, scale_writes_a_suite_with_the_factors_of_its_rule) {
+  const ScratchFolder folder;
+  std::string text =
+      "[suite]\nname = \"s\"\n[target]\nedition = \"asce7_16\"\nss_g = 1\ns1_g = 0.4\n"
+      "site_class = \"C\"\n";
+  for (const char* id : {"a", "b", "c"}) {
+    for (const char* axis : {"1", "2"})
+      folder.write(std::string("in/") + id + axis + ".txt",
+                   two_columns(shaking_g(id[0] + 0.3 * axis[0])));
+    text += std::string("[[record]]\nid = \"") + id + "\"\nmagnitude = 7\nfirst = \"" + id +
+            "1.txt\"\nsecond = \"" + id + "2.txt\"\n";
+  }
+  const std::string suite = folder.write("in/suite.toml", text);
+  const std::string out = folder.path("scaled.toml").string();
+  const std::vector<std::string> arguments{"suite",    "scale",      suite, "--rule",
+                                           "asce7_16", "--period-s", "0.6", "--max-factor",
+                                           "100",      "--out",      out};
+  const Finished child = run_program(arguments);
+  EXPECT_EQ(child.status, 0) << child.err;
+  const std::string written = read_file(out);
+  EXPECT_THAT(written, states("# one factor", "ASCE 7-16, 16.2.3.1", "WARNING: 3 motions",
+                              "edition = \"asce7_16\"", "magnitude = 7", "in/a1.txt"));
+  const std::vector<std::string> lines = lines_of(child.out);
+  const double factor = std::stod(cells_of(lines.back())[1]);
+  EXPECT_NEAR(std::stod(written.substr(written.rfind("scale = ") + 8)), factor, 1e-4);
+  EXPECT_EQ(run_program({"suite", "show", out}).status, 0);
+  expect_refused(run_program(arguments), {"scaled.toml", "--out"});
+  expect_refused(run_program({"suite", "scale", suite, "--target", "dbe", "--out", out + "2"}),
+                 {"--out", "MCE", "mce_fraction"});
 }
 
 TEST(Suite, mistakes_are_refused) {

@@ -12,6 +12,7 @@
 #include "glissade/core/wrap.hpp"
 #include "glissade/io/recipe_writer.hpp"
 #include "glissade/io/suite_file.hpp"
+#include "glissade/io/suite_writer.hpp"
 #include "glissade/motion/improbable.hpp"
 #include "glissade/motion/intensity.hpp"
 #include "glissade/motion/roof_words.hpp"
@@ -185,9 +186,30 @@ FirstPeriods building_of(const SuiteOptions& o, ScalingRule rule) {
   return {shortest, longest, o.to_one_and_a_half};
 }
 
+/// The suite with the factors of a rule, for MCE as all suite files.
+void write_scaled(const SuiteOptions& o, const Suite& suite, const Table& table,
+                  const RuleScaling& scaling) {
+  SuiteHead head{
+      suite.name,
+      suite.description,
+      read_stated_target(o.suite),
+      {"Made by: glissade suite scale, from " + std::filesystem::path(o.suite).filename().string(),
+       table.title},
+      suite.nearest_to_target};
+  head.comments.insert(head.comments.end(), table.notes.begin(), table.notes.end());
+  std::vector<ScaledRecord> records;
+  for (std::size_t i = 0; i < suite.motions.size(); ++i)
+    records.push_back({suite.motions[i].id, scaling.factors[i]});
+  write_text_file(o.out, suite_of_records_toml(o.suite, head, records,
+                                               std::filesystem::path(o.out).parent_path()));
+}
+
 void scale(const SuiteOptions& o) {
   if (o.target != "mce" && o.target != "dbe")
     throw InputError({"--target", o.target + " is not a target", "give mce or dbe", ""});
+  if (!o.out.empty() && o.target != "mce")
+    throw InputError({"--out", "a suite file has the factors for MCE",
+                      "leave out --target: a study scales them by mce_fraction", ""});
   const Suite suite = load_suite(o.suite);
   const TargetSpectrum target(target_of(suite, o.suite));
   const auto wanted = [&](double period) {
@@ -210,6 +232,7 @@ void scale(const SuiteOptions& o) {
   for (const std::string& warning : scaling.warnings) table.notes.push_back("WARNING: " + warning);
   for (std::size_t i = 0; i < suite.motions.size(); ++i)  // as suite files keep them
     table.add({suite.motions[i].id, std::round(1e4 * scaling.factors[i]) / 1e4});
+  if (!o.out.empty()) write_scaled(o, suite, table, scaling);
   put("{}", to_csv(table));
 }
 
@@ -263,6 +286,8 @@ void add_suite(CLI::App& program) {
   scale_verb->add_flag("--to-1.5t", o->to_one_and_a_half,
                        "up to 1.5 T in place of 2 T, where an analysis justifies it (16.2.3.1)");
   scale_verb->add_option("--max-factor", o->max_factor, "largest factor allowed");
+  scale_verb->add_option("--out", o->out, "new suite file with the factors [none is written]");
+  add_overwrite(*scale_verb, o->overwrite);
   CLI::App* design_verb = verb(
       "design", "Design a built-in suite: recipe of seven simulated motions for an Intensity Level",
       design);

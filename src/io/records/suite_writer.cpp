@@ -47,9 +47,7 @@ std::string renamed(const std::string& name, const fs::path& library, const fs::
     const auto [file, component] = split_address(name);
     return component.empty() ? name : renamed(file, library, folder) + "#" + component;
   }
-  const fs::path relative =
-      fs::proximate(fs::weakly_canonical(beside), fs::weakly_canonical(folder), error);
-  return error ? fs::weakly_canonical(beside).string() : relative.string();
+  return relative_path(beside, folder);
 }
 
 std::string target_of(const StatedTarget& stated, const fs::path& folder) {
