@@ -5,6 +5,7 @@
 #include <cctype>
 #include <cmath>
 
+#include "glissade/core/printable.hpp"
 #include "records/formats/reading.hpp"
 #include "text/scan.hpp"
 
@@ -98,6 +99,11 @@ std::optional<ComponentDirection> component_direction(std::string_view word) {
     default:
       return std::nullopt;
   }
+}
+
+std::string plain_line(std::string_view text) {
+  constexpr std::size_t most = 100;
+  return printable_name(single_blanks(text.substr(0, most)));
 }
 
 SplitName split_direction(std::string_view stem) {

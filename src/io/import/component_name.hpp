@@ -8,6 +8,9 @@
 
 namespace glissade {
 
+/// What a header or a report states, as one short line that acts on nothing.
+std::string plain_line(std::string_view text);
+
 /// Which component of a record a word names.
 struct ComponentDirection {
   bool is_vertical = false;

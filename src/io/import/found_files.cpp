@@ -10,7 +10,6 @@
 #include <system_error>
 
 #include "glissade/core/hash.hpp"
-#include "glissade/core/printable.hpp"
 #include "glissade/core/units.hpp"
 #include "glissade/io/sha256.hpp"
 #include "glissade/motion/intensity.hpp"
@@ -65,12 +64,6 @@ void add_folder(const fs::path& folder, std::set<fs::path>& files, std::vector<L
                         "name the folder that holds the records", ""});
   }
   if (error) throw InputError({folder.string(), "cannot be listed: " + error.message(), "", ""});
-}
-
-/// What a header states, as one short line that acts on nothing.
-std::string plain_line(std::string_view text) {
-  constexpr std::size_t most = 100;
-  return printable_name(single_blanks(text.substr(0, most)));
 }
 
 /// "#U1" by its name, where that names no other, else "#2"; "" of the only one.

@@ -9,6 +9,7 @@
 #include <cmath>
 
 #include "glissade/core/error.hpp"
+#include "import/component_name.hpp"
 #include "text/scan.hpp"
 
 namespace glissade {
@@ -79,10 +80,10 @@ std::string peer_file(const std::string& name) {
 
 ReportRow peer_row(const ReportColumns& columns, const std::vector<std::string>& cells) {
   ReportRow row;
-  row.rsn = columns.text(cells, "Record Sequence Number");
-  row.event = with_commas(columns.text(cells, "Earthquake Name"));
-  if (const std::string year = columns.text(cells, "Year"); !year.empty()) row.event += " " + year;
-  row.station = with_commas(columns.text(cells, "Station Name"));
+  row.rsn = plain_line(columns.text(cells, "Record Sequence Number"));
+  row.event = plain_line(with_commas(columns.text(cells, "Earthquake Name")) + " " +
+                         columns.text(cells, "Year"));
+  row.station = plain_line(with_commas(columns.text(cells, "Station Name")));
   row.magnitude = columns.number(cells, "Magnitude", largest_magnitude);
   if (row.magnitude > 0.0) row.magnitude_kind = "Mw";
   row.distance_km = columns.number(cells, "Rrup (km)", longest_km);

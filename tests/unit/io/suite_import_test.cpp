@@ -377,6 +377,16 @@ TEST_F(SuiteImporter, texts_of_headers_and_names_stay_texts) {
   EXPECT_EQ(suite.motions[0].id, found.records[0].id);
 }
 
+TEST_F(SuiteImporter, texts_of_a_report_stay_texts) {
+  write_triple();
+  std::string report = peer_report;
+  report.replace(report.find("Place, at"), 5, "Pl\x16\xb1\\");
+  const SuiteImport found = import_with_report(report);
+  ASSERT_EQ(found.records.size(), 1u) << reasons(found);
+  EXPECT_EQ(found.records[0].station, "Pl\\u0016\\xb1\\, at Town");
+  EXPECT_EQ(load(found).motions[0].station, found.records[0].station);
+}
+
 TEST_F(SuiteImporter, ids_are_unique) {
   for (const char* folder : {"a", "b"})
     for (const char* direction : {"000", "090"})
