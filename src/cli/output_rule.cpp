@@ -23,8 +23,8 @@ namespace fs = std::filesystem;
 constexpr std::array own_folders{"tables", "figures", "journal", "demand", "probability"};
 constexpr std::array own_files{"results.h5",       "run.json",     "report.html",
                                "report_files.txt", "package.html", "package.json",
-                               "package.pdf",      "demand.toml",  "probability.toml",
-                               "journal/run",      "journal/lock"};
+                               "package.pdf",      "package.xlsx", "demand.toml",
+                               "probability.toml", "journal/run",  "journal/lock"};
 
 [[noreturn]] void refuse(const std::string& option, const fs::path& path, const char* why) {
   throw InputError({option, path.string() + ' ' + why + ": existing files are not overwritten",

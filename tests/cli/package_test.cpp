@@ -640,6 +640,22 @@ TEST_F(Package, of_the_example_is_the_one_in_studies) {
                                  << made.substr(at > 60 ? at - 60 : 0, 160);
 }
 
+// The workbook has the quantities as numbers, with their unit as a format.
+TEST_F(Package, workbook_has_the_numbers_of_the_tables) {
+  if (!fs::exists(out() / "package.xlsx") || !fs::exists("/usr/bin/python3"))
+    GTEST_SKIP() << "libxlsxwriter or Python is not installed (packages.txt)";
+  Child child({"/usr/bin/python3", "-c",
+               "import sys, zipfile\n"
+               "book = zipfile.ZipFile(sys.argv[1])\n"
+               "for name in sorted(book.namelist()):\n"
+               "  print(book.read(name).decode())\n",
+               (out() / "package.xlsx").string()});
+  const std::string text = child.wait().out;
+  for (const char* part :
+       {"name=\"record_displacements\"", "<v>23.27</v>", "0.0&quot; in&quot;", "Provisions used"})
+    EXPECT_THAT(text, testing::HasSubstr(part));
+}
+
 // Of PATH only gnuplot is left, which draws the figures.
 TEST_F(Package, without_weasyprint_says_that_the_page_is_to_be_printed) {
   const fs::path other = folder_->path("unprinted");

@@ -156,7 +156,7 @@ class Calculation {
       check_project_path(identity_.project);
       if (!resumes) check_calculation_folder(out_, options_.overwrite);
       lock_ = take_folder(out_);
-      for (const char* name : {"package.html", "package.json", "package.pdf"})
+      for (const char* name : {"package.html", "package.json", "package.pdf", "package.xlsx"})
         remove_file(out_ / name);  // earlier
       write_begun_calculation(identity_, "started", out_);
     });

@@ -21,6 +21,7 @@
 #include "package/symbols.hpp"
 #include "package/tables.hpp"
 #include "package/units.hpp"
+#include "package/workbook.hpp"
 
 namespace glissade {
 namespace {
@@ -489,6 +490,7 @@ bool write_package(const CalculationPackage& package, const std::filesystem::pat
       checks_table(package)};
   if (!project.friction.tested.empty()) tables.push_back(pull_tests_table(project.friction));
   for (Table& table : given_curves(project)) tables.push_back(std::move(table));
+  write_workbook(tables, out_dir / "package.xlsx");
   std::vector<DrawnFigure> figures = write_parts(
       {"package.html", std::move(tables), package_figures(package)}, out_dir, overwrite);
   for (DrawnFigure& drawn : figures) drawn.svg = printable(drawn.svg);

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "package/workbook.hpp"
+
+#ifdef GLISSADE_WORKBOOK
+
+#include <xlsxwriter.h>
+
+#include <algorithm>
+#include <cctype>
+#include <charconv>
+#include <cmath>
+#include <map>
+#include <optional>
+#include <string>
+
+#include "glissade/core/error.hpp"
+
+namespace glissade {
+namespace {
+
+/// A number as it is written, with its decimals and unit.
+struct WrittenQuantity {
+  double value = 0.0;
+  std::string format;  ///< of Excel: 0.0" in"
+};
+
+/// Of "12.7", "12.7 in" and "12.7 in (0.323 m)"; none of any other text.
+std::optional<WrittenQuantity> quantity_in(const std::string& text) {
+  WrittenQuantity found;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), found.value);
+  if (error != std::errc() || !std::isfinite(found.value)) return std::nullopt;
+  const std::string number(text.data(), end);
+  std::string unit(end, text.data() + text.size());
+  unit = unit.substr(0, unit.find(" ("));
+  const bool is_unit = unit.empty() || (unit[0] == ' ' && unit.size() > 1 &&
+                                        std::ranges::all_of(unit.substr(1), [](unsigned char c) {
+                                          return std::isalpha(c) != 0 || c == '%';
+                                        }));
+  if (!is_unit) return std::nullopt;
+  const std::size_t point = number.find('.');
+  found.format = "0";
+  if (point != std::string::npos) found.format += "." + std::string(number.size() - point - 1, '0');
+  if (!unit.empty()) found.format += "\"" + unit + "\"";
+  return found;
+}
+
+/// What is open is closed and freed once, in close().
+class Workbook {
+ public:
+  explicit Workbook(const std::filesystem::path& file)
+      : book_(workbook_new(file.c_str())), bold_(workbook_add_format(book_)) {
+    lxw_doc_properties properties{};
+    properties.created = 1;  // the same tables give the same bytes
+    workbook_set_properties(book_, &properties);
+    format_set_bold(bold_);
+  }
+  void add(const Table& table) {
+    lxw_worksheet* sheet = workbook_add_worksheet(book_, table.name.text().c_str());
+    lxw_row_t row = 0;
+    write(sheet, row++, 0, table.title, bold_);
+    for (const std::string& note : table.notes) write(sheet, row++, 0, note, nullptr);
+    for (std::size_t c = 0; c < table.columns.size(); ++c)
+      write(sheet, row, c, table.columns[c].heading, bold_);
+    for (const std::vector<Cell>& cells : table.rows) {
+      ++row;
+      for (std::size_t c = 0; c < cells.size(); ++c) add(sheet, row, c, cells[c]);
+    }
+  }
+  bool close() { return workbook_close(book_) == LXW_NO_ERROR; }
+
+ private:
+  static void write(lxw_worksheet* sheet, lxw_row_t row, std::size_t column,
+                    const std::string& text, lxw_format* format) {
+    worksheet_write_string(sheet, row, static_cast<lxw_col_t>(column), text.c_str(), format);
+  }
+  void add(lxw_worksheet* sheet, lxw_row_t row, std::size_t column, const Cell& cell) {
+    const auto at = static_cast<lxw_col_t>(column);
+    if (const auto* text = std::get_if<std::string>(&cell)) {
+      if (const auto quantity = quantity_in(*text))
+        worksheet_write_number(sheet, row, at, quantity->value, format_of(quantity->format));
+      else
+        write(sheet, row, column, *text, nullptr);
+      return;
+    }
+    const double value = estimate_of(cell).value;
+    if (std::isfinite(value)) worksheet_write_number(sheet, row, at, value, nullptr);
+  }
+  lxw_format* format_of(const std::string& number_format) {
+    lxw_format*& format = formats_[number_format];
+    if (format == nullptr) {
+      format = workbook_add_format(book_);
+      format_set_num_format(format, number_format.c_str());
+    }
+    return format;
+  }
+
+  lxw_workbook* book_;
+  lxw_format* bold_;
+  std::map<std::string, lxw_format*> formats_;
+};
+
+}  // namespace
+
+void write_workbook(const std::vector<Table>& tables, const std::filesystem::path& file) {
+  Workbook book(file);
+  for (const Table& table : tables) book.add(table);
+  if (!book.close())
+    throw InputError({file.string(), "cannot be written", "see whether the disk is full", ""});
+}
+
+}  // namespace glissade
+
+#else
+
+namespace glissade {
+void write_workbook(const std::vector<Table>&, const std::filesystem::path&) {}
+}  // namespace glissade
+
+#endif
