@@ -29,9 +29,9 @@ namespace {
 constexpr Markup letter = "@page { size: letter; } @page wide { size: letter landscape; }";
 constexpr Markup a4 = "@page { size: A4; } @page wide { size: A4 landscape; }";
 constexpr Markup style = R"(
-@page { margin: 18mm 16mm 17mm; @bottom-left { content: string(footer); font: 8pt "Liberation Sans", Arial, sans-serif; } @bottom-right { content: "Page " counter(page) " of " counter(pages); font: 8pt "Liberation Sans", Arial, sans-serif; } }
+@page { margin: 18mm 16mm 17mm; @bottom-left { content: element(footer); font: 8pt "Liberation Sans", Arial, sans-serif; } @bottom-right { content: "Page " counter(page) " of " counter(pages); font: 8pt "Liberation Sans", Arial, sans-serif; } }
 body { font-family: "Liberation Sans", Arial, Helvetica, sans-serif; }
-.footer { string-set: footer content(); height: 0; overflow: hidden; margin: 0; }
+.footer { position: running(footer); margin: 0; font: 8pt "Liberation Sans", Arial, sans-serif; } @media screen { .footer { display: none; } }
 h2 { break-after: avoid; } sub, sup { font-size: .72em; line-height: 0; }
 .contents { columns: 2; list-style: none; padding: 0; } .contents a { color: inherit; text-decoration: none; }
 .equation { font-family: "Liberation Serif", "Times New Roman", serif; font-size: 1.1em; margin: .3em 0 .3em 2em; }
