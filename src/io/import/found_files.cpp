@@ -87,8 +87,8 @@ std::string direction_of(const FileComponent& component, const fs::path& file) {
   const std::string& stated = component.header.direction;
   if (component_direction(stated)) return stated;
   if (component_direction(component.name)) return plain_direction(component.name);
-  if (const std::string named = split_direction(stem_of(file)).direction; !named.empty())
-    return named;
+  const SplitName name = split_direction(stem_of(file));
+  if (!name.direction.empty()) return name.direction;
   return stated.empty() ? component.name : stated;
 }
 

@@ -6,8 +6,10 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <functional>
 #include <map>
 #include <set>
+#include <tuple>
 
 #include "glissade/core/printable.hpp"
 #include "import/component_name.hpp"
@@ -187,12 +189,14 @@ void take_header(ImportedRecord& record, const RecordHeader& header) {
   constexpr double largest_magnitude = 10.0, longest_km = 20'000.0, fastest_mps = 10'000.0;
   if (record.event.empty()) record.event = header.event;
   if (record.station.empty()) record.station = header.station;
-  if (record.magnitude == 0.0 &&
-      (record.magnitude = within(header.magnitude, largest_magnitude)) > 0.0)
-    record.magnitude_kind = header.magnitude_kind;
-  if (record.distance_km == 0.0 &&
-      (record.distance_km = within(header.epicentral_km, longest_km)) > 0.0)
-    record.distance_kind = "epicentral";
+  if (record.magnitude == 0.0) {
+    record.magnitude = within(header.magnitude, largest_magnitude);
+    record.magnitude_kind = record.magnitude > 0.0 ? header.magnitude_kind : "";
+  }
+  if (record.distance_km == 0.0) {
+    record.distance_km = within(header.epicentral_km, longest_km);
+    record.distance_kind = record.distance_km > 0.0 ? "epicentral" : "";
+  }
   if (record.vs30_mps == 0.0) record.vs30_mps = within(header.vs30_mps, fastest_mps);
 }
 

@@ -86,11 +86,11 @@ ReportRow peer_row(const ReportColumns& columns, const std::vector<std::string>&
   row.station = plain_line(with_commas(columns.text(cells, "Station Name")));
   row.magnitude = columns.number(cells, "Magnitude", largest_magnitude);
   if (row.magnitude > 0.0) row.magnitude_kind = "Mw";
-  row.distance_km = columns.number(cells, "Rrup (km)", longest_km);
-  if (row.distance_km > 0.0) {
-    row.distance_kind = "rupture";
-  } else if ((row.distance_km = columns.number(cells, "Rjb (km)", longest_km)) > 0.0) {
-    row.distance_kind = "joyner_boore";
+  for (const auto& [column, kind] :
+       {std::pair{"Rrup (km)", "rupture"}, {"Rjb (km)", "joyner_boore"}}) {
+    row.distance_km = columns.number(cells, column, longest_km);
+    row.distance_kind = row.distance_km > 0.0 ? kind : "";
+    if (row.distance_km > 0.0) break;
   }
   row.vs30_mps = columns.number(cells, "Vs30 (m/sec)", fastest_mps);
   row.scale = columns.number(cells, "Scale Factor", largest_scale);

@@ -31,7 +31,7 @@ std::string line(const char* key, double value) {
 
 /// FIPS 180-4, 64 hexadecimal digits.
 std::string read_sha256(const TomlTable& table) {
-  const std::string text = table.text("sha256").value_or("");
+  std::string text = table.text("sha256").value_or("");
   if (!text.empty() &&
       (text.size() != 64 || text.find_first_not_of("0123456789abcdef") != std::string::npos))
     table.report("sha256", "sha256 is not 64 digits 0-9, a-f", "take that of sha256sum FILE");
