@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // `glissade slide` beyond one axis on a building that is not coupled with the array.
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 
 #include <algorithm>
@@ -14,6 +15,7 @@
 #include "glissade/block/coupled.hpp"
 #include "glissade/block/on_building.hpp"
 #include "glissade/block/slide.hpp"
+#include "glissade/building/building_model.hpp"
 #include "glissade/study/run/scene.hpp"
 
 namespace glissade::test {
@@ -178,6 +180,26 @@ TEST_F(SlideModel, a_coupled_building_gives_what_the_library_gives) {
   }
 }
 
+TEST_F(SlideModel, alpha_is_a_building_of_several_modes_as_the_library_computes_it) {
+  const BuildingModel cantilever{BuildingModel::Kind::cantilever};
+  for (const double mass_ratio : {0.0, 0.1}) {
+    Motion motion;
+    motion.dt_s = shaking_dt_s;
+    motion.horizontal_mps2[0] = times(standard_gravity_mps2, first_g_);
+    const Modes modes = modes_along(cantilever, 0, {0.6, 0.05}, 5.0);
+    ASSERT_GT(modes.size(), 2u);
+    const BuildingSlip expected =
+        slide_on_building(building_ground(motion, {}, {}), {},
+                          {.horizontal = {modes, modes}, .mass_ratio = mass_ratio},
+                          {.friction = {0.2, 0.2}, .slope_rad = 2.0 * rad_per_deg});
+    const Json json = slide_json({"--mu", "0.2", "--slope-deg", "2", "--period-s", "0.6", "--alpha",
+                                  "5", "--mass-ratio", fmt::format("{}", mass_ratio)});
+    EXPECT_GT(expected.slip.peak_displacement_m, 0.01);
+    EXPECT_EQ(json["peak_displacement_m"], expected.slip.peak_displacement_m);
+    EXPECT_EQ(json["alpha"], 5.0);
+  }
+}
+
 TEST_F(SlideModel, a_very_light_array_slides_as_one_without_mass) {
   const auto peak = [&](const char* ratio) {
     return slide_json({"--mu", "0.2", "--slope-deg", "2", "--period-s", "0.4", "--mass-ratio",
@@ -232,6 +254,9 @@ TEST_F(SlideModel, each_bad_input_gets_one_clear_message) {
                  {"--yield-coefficient: must be > 0"});
   expect_refused(run({"--period-s", "0.5", "--hardening-ratio", "0.1"}),
                  {"needs --yield-coefficient"});
+  expect_refused(run({"--alpha", "5"}), {"--alpha: needs --period-s"});
+  expect_refused(run({"--alpha", "5", "--period-s", "0.5", "--yield-coefficient", "0.2"}),
+                 {"--alpha: a building of several modes stays elastic"});
   expect_refused(run({"--static-over-sliding", "0.5"}), {"static friction is not below"});
   expect_refused(run({"--fast-over-slow", "1.5"}), {"--fast-over-slow: needs --rate-s-per-m"});
   expect_refused(run({"--rate-s-per-m", "10"}), {"--rate-s-per-m: needs --fast-over-slow"});

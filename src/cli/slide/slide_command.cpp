@@ -18,6 +18,7 @@
 #include "glissade/motion/intensity.hpp"
 #include "glissade/motion/roof_words.hpp"
 #include "glissade/sampling/pull_test.hpp"
+#include "glissade/study/plan/one_mass.hpp"
 #include "put.hpp"
 #include "slide/slide_history.hpp"
 
@@ -127,6 +128,9 @@ std::vector<std::string> warnings_on(const SlideOptions& o, const Motion& motion
   if (o.c.period_s > longest_probable_period_s)
     warnings.push_back(fmt::format(
         "a building period of {:g} s is longer than that of any building", o.c.period_s));
+  if (o.building().is_one_mass())
+    if (std::string text = one_mass_sentence(std::nullopt, o.c.period_s); !text.empty())
+      warnings.push_back(text + ": give --alpha");
   if (o.of_roof)
     for (std::string& warning : warnings) warning = in_words_of_roof(std::move(warning));
   return warnings;
@@ -193,6 +197,7 @@ Json to_json(const SlideOptions& o, const SlideHistory& h, const ReadMotion& rea
                {"damping", o.c.damping},
                {"vertical", !motion.vertical_mps2.empty()},
                {"method", o.method}});
+  if (!o.building().is_one_mass()) json["alpha"] = o.c.alpha;
   if (h.ppa_g) json["ppa_g"] = *h.ppa_g;
   if (h.plane) {
     json["mu_across"] = o.c.friction_across;

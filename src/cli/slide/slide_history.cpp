@@ -185,10 +185,10 @@ SlideHistory on_coupled_building(const SlideOptions& o, const Motion& motion, do
   return h;
 }
 
-/// Two axes, or a law of friction that only the full model has.
+/// Two axes, several modes, or a law of friction that only the full model has.
 SlideHistory in_full_model(const SlideOptions& o, const Motion& motion, double factor) {
   const TwoAxisBlock block = two_axis_block(o.c);
-  const BiaxialBuilding building = biaxial_building(o.c, {}, nullptr);
+  const BiaxialBuilding building = biaxial_building(o.c, o.building(), nullptr);
   check_coupling(coupling_is_regular(block, building));
   const Block weakest{.friction = std::min(block.friction.along, block.friction.across),
                       .slope_rad = block.slope_rad};

@@ -117,14 +117,19 @@ void check_model(const SlideOptions& o, ProblemList& problems) {
   needs(o.given_substeps.has_value(), "--substeps", o.method != "event",
         "needs --method rodriguez-nikl");
 
+  if (o.c.yields() && !o.building().is_one_mass())
+    problems.add({"--alpha", "a building of several modes stays elastic here",
+                  "leave out --yield-coefficient: only one mass yields", ""});
+
   const Kernel kernel = kernel_for(o).kernel;
   if (kernel == Kernel::tables) return;
   const auto refuse = [&](bool given, const char* option) {
     if (given) {
-      problems.add({option,
-                    "needs one axis, Coulomb friction and a linear building that is not coupled "
-                    "with the array only",
-                    "leave it out", ""});
+      problems.add(
+          {option,
+           "needs one axis, Coulomb friction and a linear building of one mass that is not "
+           "coupled with the array",
+           "leave it out", ""});
     }
   };
   refuse(o.method != "event", "--method");
@@ -143,7 +148,13 @@ bool names_motion(const SlideOptions& o) {
   return std::filesystem::path(split_address(o.record).file).extension() == ".toml";
 }
 
+BuildingModel SlideOptions::building() const {
+  using Kind = BuildingModel::Kind;
+  return {given[parameter_index("building", "alpha")] ? Kind::cantilever : Kind::one_mass};
+}
+
 KernelChoice kernel_for(const SlideOptions& o) {
+  if (!o.building().is_one_mass()) return {Kernel::full, "the building has several modes"};
   StudyConfig config;
   config.model.axes = o.two_axes() ? SlidingAxes::two : SlidingAxes::one;
   for (std::size_t i = 0; i < parameters().size(); ++i)

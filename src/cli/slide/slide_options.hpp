@@ -21,6 +21,8 @@ struct SlideOptions {
   bool of_roof = false;  ///< the motion is that of the roof: nothing is between it and the array
 
   bool two_axes() const { return !second.empty(); }
+  /// One mass, or with --alpha the modes of a cantilever.
+  BuildingModel building() const;
   int substeps() const { return given_substeps.value_or(64); }
 };
 
