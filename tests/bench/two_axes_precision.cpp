@@ -209,7 +209,9 @@ std::vector<SchemeResult> two_axes_precision(const test::StandardScenes& all, st
       {"m/M 0, 3 modes", tall_s, 0.0, 1.0, cantilever<3>},
       {"m/M 0, 5 modes", tall_s, 0.0, 1.0, cantilever<5>},
       {"m/M 0.05", periods_s, 0.05},
+      {"m/M 0.05, 1 mode", tall_s, 0.05, 1.0, cantilever<1>},
       {"m/M 0.05, 3 modes", tall_s, 0.05, 1.0, cantilever<3>},
+      {"m/M 0.05, 5 modes", tall_s, 0.05, 1.0, cantilever<5>},
       {"m/M 0.05, ellipse", periods_s, 0.05, 0.8}};
   const std::vector<int> tolerances = quick ? std::vector{3, 6} : std::vector{3, 4, 5, 6, 7, 8};
   std::vector<SchemeResult> results;

@@ -33,14 +33,14 @@ double srss_of_maxima_m(const TwoAxisPeak& peak);
 /// slide_on_building() for many histories under one ground motion, side by side in SIMD lanes: a
 /// history that slides is in a lane, each lane at its own time. A step is the Taylor series of the
 /// block's velocity, of order 6, over the rest of a sample interval or as much of it as the
-/// tolerance allows; a building of one mass is a series beside it. A roof of several modes, with
-/// m/M = 0, is tabulated as one polynomial an interval, so that their number does not matter. Where
-/// the block is at rest the next interval in which it may slide is looked for over bounds on the
-/// roof's motion, which is tabulated for each building. How a block starts is a series of its own,
-/// how it stops is known in closed form (two_axis.hpp); between the two, steps too stiff for the
-/// lanes are SDIRK4. Errors at the default tolerance, measured as those of
-/// slide_on_building(): 2.2e-7 of the peak in the median, 4.6e-6 at most without uplift, below 1e-4
-/// with it (two_axis_lanes_test, model_test).
+/// tolerance allows; the building's modes are series beside it. A roof of several modes, with m/M =
+/// 0, is tabulated as one polynomial an interval, so that their number does not matter. Where the
+/// block is at rest the next interval in which it may slide is looked for over bounds on the roof's
+/// motion, which is tabulated for each building. How a block starts is a series of its own, how it
+/// stops is known in closed form (two_axis.hpp); between the two, steps too stiff for the lanes are
+/// SDIRK4. Errors at the default tolerance, measured as those of slide_on_building(): 2.2e-7 of the
+/// peak in the median, 4.6e-6 at most without uplift, below 1e-4 with it (two_axis_lanes_test,
+/// model_test).
 ///
 /// The same bits on every SIMD target, in any order and whatever else is in the batch; but scenes
 /// on one building share its table, so give the levels and blocks of a building together.
@@ -50,8 +50,9 @@ double srss_of_maxima_m(const TwoAxisPeak& peak);
 ///
 /// Friction laws other than Coulomb's, friction below 1.02 tan(slope), yielding, one rigid axis
 /// beside one that is not, damping outside [0.001, 0.5], periods below 7.4 sample intervals (2.4 of
-/// a mode), several modes with m/M > 0 or that may move the block once they have decayed to a
-/// twentieth after the record, and an oscillating vertical go through slide_on_building().
+/// a mode), several modes with m/M = 0 that may move the block once they have decayed to a
+/// twentieth after the record, modes so close that (3.14) of theory.md does not tell them apart,
+/// and an oscillating vertical go through slide_on_building().
 class TwoAxisLanes {
  public:
   /// @param ground the tables of the last buildings under it are kept, 32 MB or two of them

@@ -40,7 +40,7 @@ double rise_by_secant(const Function& f, double f_low, double f_high, double low
 /// One history: all of it but its sliding, which the lanes do.
 class LaneHistory {
  public:
-  LaneHistory(const Constants<double>& constants, RoofKind roof, const GroundNodes& ground,
+  LaneHistory(const SceneConstants& constants, RoofKind roof, const GroundNodes& ground,
               std::shared_ptr<const RestTable> table, const DistanceCrossings& crossings);
 
   enum class Next {
@@ -53,7 +53,7 @@ class LaneHistory {
   /// Of a lane at rest, or near its next stop.
   Next event(HistoryState& state);
   TwoAxisPeak result(const HistoryState& state) const;
-  const Constants<double>& constants() const { return constants_; }
+  const SceneConstants& constants() const { return constants_; }
   /// DistanceCrossings::next2
   double next2() const { return crossings_.next2(); }
   /// LaneStates::rows
@@ -73,7 +73,7 @@ class LaneHistory {
   Next rest_from_node(HistoryState& state);
   double release(const RoofPiece& piece);
   bool starts_after(std::size_t node, const RoofAtRest& roof, HistoryState& state);
-  HistoryState resting_at(std::int64_t node, const std::array<AxisState, 2>& state) const;
+  HistoryState resting_at(std::int64_t node, const RoofState& state) const;
   Next start(HistoryState& state);
   Next go_on_from_rest(HistoryState& state) const;
 
@@ -95,7 +95,7 @@ class LaneHistory {
   void displace(HistoryState& state, Vector displacement, const At& at, double begin_s,
                 double length_s);
 
-  Constants<double> constants_;
+  SceneConstants constants_;
   FrictionEllipse ellipse_;
   RoofKind roof_;
   const GroundNodes& ground_;

@@ -8,9 +8,8 @@
 #include "history.hpp"
 
 namespace glissade::block_detail::two_axes {
-LaneHistory::LaneHistory(const Constants<double>& constants, RoofKind roof,
-                         const GroundNodes& ground, std::shared_ptr<const RestTable> table,
-                         const DistanceCrossings& crossings)
+LaneHistory::LaneHistory(const SceneConstants& constants, RoofKind roof, const GroundNodes& ground,
+                         std::shared_ptr<const RestTable> table, const DistanceCrossings& crossings)
     : constants_(constants),
       ellipse_({constants.mu, constants.mu * constants.aspect}),
       roof_(roof),
@@ -31,8 +30,7 @@ LaneHistory::Next LaneHistory::begin(HistoryState& state) {
   return rest_from_node(state);
 }
 
-HistoryState LaneHistory::resting_at(std::int64_t node,
-                                     const std::array<AxisState, 2>& state) const {
+HistoryState LaneHistory::resting_at(std::int64_t node, const RoofState& state) const {
   const auto i = static_cast<std::size_t>(node);
   HistoryState s;
   s.node = node;
@@ -40,10 +38,7 @@ HistoryState LaneHistory::resting_at(std::int64_t node,
   s.motion.ground_1 = constants_.factor_1 * ground_.ground(0, i);
   s.motion.ground_2 = constants_.factor_2 * ground_.ground(1, i);
   s.motion.w = constants_.factor_w * ground_.vertical(i);
-  s.motion.x_1 = state[0].x;
-  s.motion.y_1 = state[0].y;
-  s.motion.x_2 = state[1].x;
-  s.motion.y_2 = state[1].y;
+  s.set_roof(roof_, state);
   return s;
 }
 
@@ -123,10 +118,7 @@ bool LaneHistory::starts_after(std::size_t node, const RoofAtRest& roof, History
   m.ground_1 = at.motion.ground_1;
   m.ground_2 = at.motion.ground_2;
   m.w = at.motion.w;
-  m.x_1 = at.motion.x_1;
-  m.y_1 = at.motion.y_1;
-  m.x_2 = at.motion.x_2;
-  m.y_2 = at.motion.y_2;
+  state.set_roof(roof_, at.roof(roof_));
   state.node = at.node;
   return true;
 }

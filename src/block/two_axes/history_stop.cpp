@@ -14,6 +14,23 @@ namespace {
 constexpr double negligible_stop = 50.0;
 Vector velocity(const HistoryState& state) { return {state.motion.v_s, state.motion.v_y}; }
 
+/// The block has moved by `less` more along the axes than the modes have taken it to
+/// (RoofSeries::RespondModes).
+void move_less(const SceneConstants& c, const std::array<double, 2>& less,
+               ModeMotion<double>& modes) {
+  const ModeConstants<double>& of = c.modes;
+  for (std::size_t axis = 0; axis < 2; ++axis) {
+    double e[most_modes], sum = 0.0;
+    for (std::size_t n = 0; n < c.count[axis]; ++n) {
+      const double moved = of.omega_share[axis][n] * less[axis];
+      modes.x[axis][n] -= of.omega[axis][n] * moved;
+      sum += e[n] = of.twice_zeta[axis][n] * moved;
+    }
+    for (std::size_t n = 0; n < c.count[axis]; ++n)
+      modes.y[axis][n] += of.omega[axis][n] * (e[n] - of.share[axis][n] * sum);
+  }
+}
+
 }  // namespace
 
 RoofPiece::BlockVelocity LaneHistory::plan_velocity(Vector v) const {
@@ -107,22 +124,26 @@ double LaneHistory::deceleration(const Load& load, Vector v) const {
 }
 
 void LaneHistory::take_stop(HistoryState& state, const RoofPiece& piece, const Stop& stop) {
-  const Constants<double>& c = constants_;
+  const SceneConstants& c = constants_;
   LaneMotion<double>& m = state.motion;
   const Vector v = velocity(state), from{m.at_s, m.at_y};
   const double begin_s = time_s(state);
   piece.move(state, stop.time_s / piece.length_s());
   const Vector displacement = scaled(stop.displacement, {c.cosine2, c.cosine});
-  if (roof_ == RoofKind::coupled) {
+  if (has_mass(roof_)) {
     // The block's mean velocity to the stop, in place of the one that it began with.
     const RoofPiece::BlockVelocity begin = plan_velocity(v);
     const double path_1 = c.c * displacement.s - c.s * displacement.y,
                  path_2 = c.s * displacement.s + c.c * displacement.y;
     const double less_1 = path_1 - begin[0] * stop.time_s, less_2 = path_2 - begin[1] * stop.time_s;
-    m.x_1 -= c.omega_1 * c.omega_rho_1 * less_1;
-    m.x_2 -= c.omega_2 * c.omega_rho_2 * less_2;
-    m.y_1 += c.omega_1 * c.omega_rho_1 * c.twice_zeta_1 * c.per_mass * less_1;
-    m.y_2 += c.omega_2 * c.omega_rho_2 * c.twice_zeta_2 * c.per_mass * less_2;
+    if (roof_ == RoofKind::coupled_modes) {
+      move_less(c, {less_1, less_2}, state.modes);
+    } else {
+      m.x_1 -= c.omega_1 * c.omega_rho_1 * less_1;
+      m.x_2 -= c.omega_2 * c.omega_rho_2 * less_2;
+      m.y_1 += c.omega_1 * c.omega_rho_1 * c.twice_zeta_1 * c.per_mass * less_1;
+      m.y_2 += c.omega_2 * c.omega_rho_2 * c.twice_zeta_2 * c.per_mass * less_2;
+    }
   }
   m.v_s = m.v_y = 0.0;
   m.path += stop.path;
@@ -136,7 +157,10 @@ void LaneHistory::take_stop(HistoryState& state, const RoofPiece& piece, const S
 
 /// The normal force of a block that slides without friction: it has the sign of that with friction.
 double LaneHistory::frictionless_normal(const Load& load) const {
-  return load.normal - constants_.rho_sin_cos / constants_.kappa * load.drive.s;
+  const SceneConstants& c = constants_;
+  if (roof_ == RoofKind::coupled_modes)
+    return load.normal - c.modes.lift_s * load.drive.s - c.modes.lift_y * load.drive.y;
+  return load.normal - c.rho_sin_cos / c.kappa * load.drive.s;
 }
 
 void LaneHistory::crossed(const LaneStates& lanes, std::size_t lane) {

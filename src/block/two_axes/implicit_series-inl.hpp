@@ -22,9 +22,9 @@ constexpr int cubic = 4;  // terms
 template <RoofKind roof>
 class ImplicitSeries : public RoofSeries<roof, cubic, roof == RoofKind::rigid ? 2 : roof_order> {
   static constexpr int load_terms = roof == RoofKind::rigid ? 2 : roof_order;
-  static constexpr bool coupled = roof == RoofKind::coupled;
+  static constexpr bool coupled = has_mass(roof), of_modes = roof == RoofKind::coupled_modes;
   using Base = RoofSeries<roof, cubic, load_terms>;
-  using Base::c, Base::here;
+  using Base::c, Base::here, Base::of;
 
  public:
   using Base::p_s, Base::p_y, Base::v_s, Base::v_y, Base::weight;
@@ -32,10 +32,11 @@ class ImplicitSeries : public RoofSeries<roof, cubic, roof == RoofKind::rigid ? 
   V end_s, end_y;  // velocity at the step's end
 
   /// The roof as if the block's rate stayed what it is at the begin.
-  HWY_INLINE ImplicitSeries(const Constants<Rows>& constants, const LaneMotion<Rows>& m, Here lanes,
-                            const Ramped& first, const Ramped& second, const Ramped& vertical,
-                            const TableRow& row, V length)
-      : Base(constants, m, lanes, first, second, vertical, row, length) {
+  HWY_INLINE ImplicitSeries(const LaneStates& states, Here lanes, const Ramped& first,
+                            const Ramped& second, const Ramped& vertical, const TableRow& row,
+                            V length)
+      : Base(states, lanes, first, second, vertical, row, length) {
+    const LaneMotion<Rows>& m = states.motion;
     speed = hn::Sqrt(here(m.v_s) * here(m.v_s) +
                      (here(c.aspect) * here(m.v_y)) * (here(c.aspect) * here(m.v_y)));
     v_s[2] = v_s[3] = v_y[2] = v_y[3] = hn::Zero(Doubles());
@@ -136,12 +137,16 @@ class ImplicitSeries : public RoofSeries<roof, cubic, roof == RoofKind::rigid ? 
 
   /// By how much the velocity at the step's end changes with that in the step, through the roof.
   HWY_INLINE V FeedBack() const {
-    const auto of = [&](V omega, V omega_rho, V twice_zeta) GLISSADE_INLINE_LAMBDA {
+    if constexpr (of_modes) {
+      const V length = this->h * f;
+      return (here(of.feedback_damping) + here(of.feedback_spring) * length) * length;
+    }
+    const auto of_axis = [&](V omega, V omega_rho, V twice_zeta) GLISSADE_INLINE_LAMBDA {
       const V length = this->h * f;
       return omega_rho * ((twice_zeta + omega * length) * length);
     };
-    return of(here(c.omega_1), here(c.omega_rho_1), here(c.twice_zeta_1)) +
-           of(here(c.omega_2), here(c.omega_rho_2), here(c.twice_zeta_2));
+    return of_axis(here(c.omega_1), here(c.omega_rho_1), here(c.twice_zeta_1)) +
+           of_axis(here(c.omega_2), here(c.omega_rho_2), here(c.twice_zeta_2));
   }
 
   /// Where the iteration of a stage has ended.
@@ -151,6 +156,7 @@ class ImplicitSeries : public RoofSeries<roof, cubic, roof == RoofKind::rigid ? 
   /// accelerated too; zero where friction holds the block. With A v = q - lambda M e and sigma = |M
   /// v|
   ///   v_s = q_s sigma / (A_s sigma + lambda),   v_y = q_y sigma / (A_y sigma + lambda aspect^2)
+  /// where A is diagonal; else in the axes of ModeConstants.
   /// sigma is the root of |M v| / sigma = 1, by Newton's method on its inverse (ImplicitEllipse);
   /// lambda = t n follows.
   /// @param end_sigma,end_lambda if not `anew`, to begin with
@@ -158,23 +164,39 @@ class ImplicitSeries : public RoofSeries<roof, cubic, roof == RoofKind::rigid ? 
   HWY_INLINE Velocity Braked(Velocity known, V length, V load_s, V load_y, V n, V small,
                              V& end_sigma, V& end_lambda) const {
     const V zero = hn::Zero(Doubles()), one = Number(1.0);
-    const V a_s = coupled ? here(c.kappa) : one, a_y = coupled ? here(c.per_mass) : one;
-    const V first_lambda = hn::Max(length * n, zero);  // where v_s = known_s
+    V a_s = coupled ? here(c.kappa) : one, a_y = coupled ? here(c.per_mass) : one;
+    V aspect = here(c.aspect), per_aspect = here(c.per_aspect);
+    const V first_lambda = hn::Max(length * n, zero);  // where v = known
     V q_s = known.s, q_y = known.y, lambda_0 = length * n, at_rest = lambda_0;
-    const V coupling = here(c.mu) * here(c.rho_sin_cos);
-    if constexpr (coupled) {
+    V coupling = here(c.mu) * here(c.rho_sin_cos), coupling_y = zero;
+    if constexpr (of_modes) {
+      lambda_0 = lambda_0 + (coupling * known.s + (here(c.mu) * here(of.rho_sin)) * known.y);
+      at_rest = lambda_0;
+      const V by_s = a_s * known.s + here(of.kappa_sy) * known.y + length * load_s;
+      const V by_y =
+          per_aspect * (here(of.kappa_sy) * known.s + here(of.kappa_y) * known.y + length * load_y);
+      q_s = here(of.turn_c) * by_s + here(of.turn_s) * by_y;
+      q_y = here(of.turn_c) * by_y - here(of.turn_s) * by_s;
+      a_s = here(of.principal_1);
+      a_y = here(of.principal_2);
+      coupling = here(c.mu) * here(of.lifts_1);
+      coupling_y = here(c.mu) * here(of.lifts_2);
+      aspect = per_aspect = one;
+    } else if constexpr (coupled) {
       q_s = a_s * q_s;
       q_y = a_y * q_y;
       lambda_0 = lambda_0 + coupling * known.s;  // where v_s = 0
       at_rest = lambda_0;
     }
-    q_s = q_s + length * load_s;
-    q_y = q_y + length * load_y;
+    if constexpr (!of_modes) {
+      q_s = q_s + length * load_s;
+      q_y = q_y + length * load_y;
+    }
     at_rest = hn::Max(at_rest, zero);
-    const V on_circle = here(c.per_aspect) * q_y;
+    const V on_circle = per_aspect * q_y;
     const Mask slides = hn::Gt(q_s * q_s + on_circle * on_circle, at_rest * at_rest);
 
-    const V square = here(c.aspect) * here(c.aspect), forced = here(c.aspect) * q_y;
+    const V square = aspect * aspect, forced = aspect * q_y;
     Mask inexact = slides;
     if constexpr (anew) {
       const V weight_s = q_s * q_s, weight_y = forced * forced, weights = weight_s + weight_y;
@@ -187,7 +209,7 @@ class ImplicitSeries : public RoofSeries<roof, cubic, roof == RoofKind::rigid ? 
                                   a_s * weight_s + a_y * weight_y));
       } else {
         end_sigma = hn::Max(zero, size - first_lambda);  // exact on a circle
-        inexact = hn::And(slides, hn::Ne(here(c.aspect), one));
+        inexact = hn::And(slides, hn::Ne(aspect, one));
       }
     }
     constexpr int iterations = 12;
@@ -203,10 +225,17 @@ class ImplicitSeries : public RoofSeries<roof, cubic, roof == RoofKind::rigid ? 
       V follows = zero, lambda_slope = zero, feedback = zero;
       if constexpr (coupled) {
         const V per_lambda = square_s * inverse_s + square * (square_y * inverse_y);
-        const V coupled_x = coupling * x_s;
-        feedback = coupled_x * (end_sigma * inverse_s);
+        V coupled_x = coupling * x_s, per_d = coupled_x * inverse_s;
+        if constexpr (of_modes) {
+          const V coupled_y = coupling_y * x_y;
+          per_d = per_d + coupled_y * inverse_y;
+          coupled_x = coupled_x + coupled_y;
+        }
+        feedback = of_modes ? per_d * end_sigma : coupled_x * (end_sigma * inverse_s);
         follows = (hn::Max(zero, lambda_0 - coupled_x * end_sigma) - end_lambda) * (one + feedback);
-        lambda_slope = (zero - coupled_x * (inverse_s * end_lambda)) * (one + feedback);
+        lambda_slope =
+            (zero - (of_modes ? per_d * end_lambda : coupled_x * (inverse_s * end_lambda))) *
+            (one + feedback);
         gain = gain - (size2 + Number(3.0)) * (per_lambda * follows);
         slope = slope + per_lambda * lambda_slope;
       }
@@ -226,7 +255,12 @@ class ImplicitSeries : public RoofSeries<roof, cubic, roof == RoofKind::rigid ? 
     }
     const V d_s = a_s * end_sigma + end_lambda, d_y = a_y * end_sigma + end_lambda * square;
     const V by_s = q_s * d_y, by_y = q_y * d_s, per = hn::Div(end_sigma, d_s * d_y);
-    return {hn::IfThenElseZero(slides, by_s * per), hn::IfThenElseZero(slides, by_y * per)};
+    const V v_1 = hn::IfThenElseZero(slides, by_s * per),
+            v_2 = hn::IfThenElseZero(slides, by_y * per);
+    if constexpr (of_modes)
+      return {here(of.turn_c) * v_1 - here(of.turn_s) * v_2,
+              here(c.per_aspect) * (here(of.turn_s) * v_1 + here(of.turn_c) * v_2)};
+    return {v_1, v_2};
   }
 
   /// The rate at the begin; of a block at rest, that with which it starts.
@@ -236,15 +270,31 @@ class ImplicitSeries : public RoofSeries<roof, cubic, roof == RoofKind::rigid ? 
     const V per_speed = hn::Div(one, hn::IfThenElse(rests, one, speed));
     const V n = hn::Max(weight[0], zero);
     const V e_s = v_s[0] * per_speed, e_y = (here(c.aspect) * v_y[0]) * per_speed;
-    V s = p_s[0] - n * e_s, brakes = n;
-    if constexpr (coupled) {
+    V s = p_s[0] - n * e_s, brakes = n, y;
+    if constexpr (of_modes) {
+      const Mask holds = hn::Gt(weight[0], zero);
+      const V along = hn::IfThenElseZero(holds, here(c.mu) * here(c.rho_sin_cos)),
+              across = hn::IfThenElseZero(holds, here(c.mu) * here(of.rho_sin));
+      const V m_y = here(c.aspect) * e_y, r_y = p_y[0] - n * m_y;
+      const auto solve = [&](V a_ss, V a_sy, V a_ys, V a_yy, V r_s, V r_y_) GLISSADE_INLINE_LAMBDA {
+        const V per = hn::Div(one, a_ss * a_yy - a_sy * a_ys);
+        return Velocity{per * (a_yy * r_s - a_sy * r_y_), per * (a_ss * r_y_ - a_ys * r_s)};
+      };
+      const V k = here(c.kappa), k_sy = here(of.kappa_sy), k_y = here(of.kappa_y);
+      const Velocity braked = solve(k - e_s * along, k_sy - e_s * across, k_sy - m_y * along,
+                                    k_y - m_y * across, s, r_y);
+      brakes = hn::Max(n - (along * braked.s + across * braked.y), zero);
+      const Velocity rate = solve(k, k_sy, k_sy, k_y, p_s[0] - brakes * e_s, p_y[0] - brakes * m_y);
+      s = rate.s;
+      y = rate.y;
+    } else if constexpr (coupled) {
       const V coupling =
           hn::IfThenElseZero(hn::Gt(weight[0], zero), here(c.mu) * here(c.rho_sin_cos));
       s = hn::Div(s, here(c.kappa) - coupling * e_s);
       brakes = hn::Max(n - coupling * s, zero);
     }
-    V y = p_y[0] - brakes * (here(c.aspect) * e_y);
-    if constexpr (coupled) y = y * here(c.per_kappa_y);
+    if constexpr (!of_modes) y = p_y[0] - brakes * (here(c.aspect) * e_y);
+    if constexpr (roof == RoofKind::coupled) y = y * here(c.per_kappa_y);
     if (HWY_UNLIKELY(!hn::AllFalse(Doubles(), rests))) {
       const Velocity start = Braked<true>({zero, zero}, one, p_s[0], p_y[0], weight[0], zero,
                                           stage_sigma[0], stage_lambda[0]);

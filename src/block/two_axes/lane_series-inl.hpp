@@ -93,20 +93,36 @@ struct TableRow {
   }
 };
 
+/// Of a building of several modes.
+struct ModeSeries {
+  V x[2][most_modes][roof_order + 1], y[2][most_modes][roof_order + 1], phase[2][most_modes];
+};
+struct NoModes {};
+
 /// Series in tau, the fraction of the rest of the interval that has passed; h is its length. The
 /// roof under a block whose velocity is given by its first terms, and the load, times h.
 template <RoofKind roof, int velocity_terms, int load_terms>
 class RoofSeries {
+  static constexpr bool of_modes = roof == RoofKind::coupled_modes;
+
  public:
   V v_s[velocity_terms], v_y[velocity_terms];
   V x_1[roof_order + 1], y_1[roof_order + 1], x_2[roof_order + 1], y_2[roof_order + 1];
+  std::conditional_t<of_modes, ModeSeries, NoModes> modes;
   V p_s[load_terms], p_y[load_terms];  // load
   V weight[load_terms];                // n on a roof that the block does not accelerate
 
-  HWY_INLINE RoofSeries(const Constants<Rows>& constants, const LaneMotion<Rows>& m, Here lanes,
-                        const Ramped& first, const Ramped& second, const Ramped& vertical,
-                        const TableRow& row, V length)
-      : c(constants), here(lanes), h(length), ground_1(first), ground_2(second), up(vertical) {
+  HWY_INLINE RoofSeries(const LaneStates& states, Here lanes, const Ramped& first,
+                        const Ramped& second, const Ramped& vertical, const TableRow& row, V length)
+      : c(states.constants),
+        of(states.mode_constants),
+        here(lanes),
+        h(length),
+        count(states.modes),
+        ground_1(first),
+        ground_2(second),
+        up(vertical) {
+    const LaneMotion<Rows>& m = states.motion;
     v_s[0] = here(m.v_s);
     v_y[0] = here(m.v_y);
     h_c = h * here(c.c);
@@ -123,7 +139,18 @@ class RoofSeries {
       Read<0>(row, here(c.factor_1), here(m.left), a_1);
       Read<1>(row, here(c.factor_2), here(m.left), a_2);
     }
-    if constexpr (has_state(roof)) {
+    if constexpr (of_modes) {
+      b_1s = here(c.c) * here(c.cosine2);
+      b_1y = here(c.s) * here(c.cosine);
+      b_2s = here(c.s) * here(c.cosine2);
+      b_2y = here(c.c) * here(c.cosine);
+      for (std::size_t axis = 0; axis < 2; ++axis)
+        for (std::size_t n = 0; n < count; ++n) {
+          modes.x[axis][n][0] = here(states.mode_motion.x[axis][n]);
+          modes.y[axis][n][0] = here(states.mode_motion.y[axis][n]);
+          modes.phase[axis][n] = here(of.omega[axis][n]) * h;
+        }
+    } else if constexpr (has_state(roof)) {
       phase_1 = here(c.omega_1) * h;
       phase_2 = here(c.omega_2) * h;
       x_1[0] = here(m.x_1);
@@ -142,8 +169,10 @@ class RoofSeries {
 
  protected:
   const Constants<Rows>& c;
+  const ModeConstants<Rows>& of;
   Here here;
   V h;
+  std::size_t count;  // of modes
 
  private:
   const Ramped &ground_1, &ground_2, &up;
@@ -194,12 +223,45 @@ class RoofSeries {
     y[k + 1] = factor * rise;
   }
 
+  /// The same of all modes of an axis: with x, Y, E_n times gamma, E the sum of E_n and of what
+  /// moves with the ground,
+  ///   x' = omega (Y - omega share b),   Y' = omega (E_n - share E - gamma a_ground),
+  ///   E_n = -(2 zeta (Y - omega share b) + x),   a = (1 - rho) E
+  template <int k>
+  HWY_INLINE void RespondModes(std::size_t axis, V* a, V block_velocity, const Ramped& ground) {
+    V e[most_modes];
+    V sum = hn::Zero(Doubles()), forcing = sum;
+    if constexpr (k < 2) {
+      forcing = k == 0 ? ground.begin : ground.rise;
+      sum = here(of.ground_share[axis]) * forcing;
+    }
+    for (std::size_t n = 0; n < count; ++n) {
+      V rate = modes.y[axis][n][k];
+      if constexpr (k < velocity_terms)
+        rate = rate - here(of.omega_share[axis][n]) * block_velocity;
+      e[n] = hn::Neg(here(of.twice_zeta[axis][n]) * rate + modes.x[axis][n][k]);
+      sum = sum + e[n];
+      modes.x[axis][n][k + 1] = (modes.phase[axis][n] * Number(inverse[k + 1])) * rate;
+    }
+    for (std::size_t n = 0; n < count; ++n) {
+      V rise = e[n] - here(of.share[axis][n]) * sum;
+      if constexpr (k < 2) rise = rise - here(of.gamma[axis][n]) * forcing;
+      modes.y[axis][n][k + 1] = (modes.phase[axis][n] * Number(inverse[k + 1])) * rise;
+    }
+    a[k] = here(of.per_mass[axis]) * sum;
+  }
+
   template <int k>
   HWY_INLINE void Respond() {
     V block_rate_1 = hn::Zero(Doubles()), block_rate_2 = block_rate_1;
-    if constexpr (roof == RoofKind::coupled && k < velocity_terms) {
+    if constexpr (has_mass(roof) && k < velocity_terms) {
       block_rate_1 = b_1s * v_s[k] - b_1y * v_y[k];
       block_rate_2 = b_2s * v_s[k] + b_2y * v_y[k];
+    }
+    if constexpr (of_modes) {
+      RespondModes<k>(0, a_1, block_rate_1, ground_1);
+      RespondModes<k>(1, a_2, block_rate_2, ground_2);
+      return;
     }
     Respond<k>(x_1, y_1, a_1, phase_1, here(c.twice_zeta_1), block_rate_1, ground_1);
     Respond<k>(x_2, y_2, a_2, phase_2, here(c.twice_zeta_2), block_rate_2, ground_2);
@@ -233,21 +295,20 @@ class RoofSeries {
 ///   u_k = (sum of M v_j . M v_k-j / 2, all j, - sum of u_j u_k-j / 2, 0 < j < k) / u_0,
 ///   g_k = (n_k - sum of u_j g_k-j, j > 0) / u_0,   d = p - g M M v,   v_k+1 = d_k / (k + 1)
 /// On a roof that the block accelerates n and d depend on each other (kappa, rho_sin_cos in
-/// Constants). In every sum the newest term is added last: the lanes wait for it. There are few
-/// series, so that most of their terms stay in registers.
+/// Constants, A in ModeConstants). In every sum the newest term is added last: the lanes wait for
+/// it. There are few series, so that most of their terms stay in registers.
 template <RoofKind roof>
 class StepSeries : public RoofSeries<roof, order + 1, order> {
   using Base = RoofSeries<roof, order + 1, order>;
-  using Base::c, Base::here;
+  using Base::c, Base::here, Base::of;
 
  public:
   using Base::p_s, Base::p_y, Base::v_s, Base::v_y, Base::weight;
   V speed[order];  // u
 
-  HWY_INLINE StepSeries(const Constants<Rows>& constants, const LaneMotion<Rows>& m, Here lanes,
-                        const Ramped& first, const Ramped& second, const Ramped& vertical,
-                        const TableRow& row, V length)
-      : Base(constants, m, lanes, first, second, vertical, row, length) {
+  HWY_INLINE StepSeries(const LaneStates& states, Here lanes, const Ramped& first,
+                        const Ramped& second, const Ramped& vertical, const TableRow& row, V length)
+      : Base(states, lanes, first, second, vertical, row, length) {
     aspect2 = here(c.aspect) * here(c.aspect);
     speed[0] = hn::Sqrt(v_s[0] * v_s[0] + aspect2 * (v_y[0] * v_y[0]));
     per_speed = hn::Div(Number(1.0), speed[0]);
@@ -266,8 +327,9 @@ class StepSeries : public RoofSeries<roof, order + 1, order> {
 
  private:
   V aspect2, per_speed, per_kappa;
-  V w_y, e_s, e_y;        // the first term of M M v across, and of M M v / u
-  V g[order], g2[order];  // n / u, and times aspect^2
+  V b_ss, b_sy, b_ys, b_yy;  // of modes: (A - friction's part)^-1
+  V w_y, e_s, e_y;           // the first term of M M v across, and of M M v / u
+  V g[order], g2[order];     // n / u, and times aspect^2
 
   /// Half the term k of M v . M v - u u, without what is of the order k itself.
   template <int k>
@@ -313,6 +375,22 @@ class StepSeries : public RoofSeries<roof, order + 1, order> {
       g[k] = (n - coupling * d_s) * per_speed;
       g2[k] = aspect2 * g[k];
       d_y = (y - g[k] * w_y) * here(c.per_kappa_y);
+    } else if constexpr (roof == RoofKind::coupled_modes) {
+      const V along = here(c.mu) * here(c.rho_sin_cos), across = here(c.mu) * here(of.rho_sin);
+      if constexpr (k == 0) {
+        const V a_ss = here(c.kappa) - e_s * along, a_sy = here(of.kappa_sy) - e_s * across,
+                a_ys = here(of.kappa_sy) - e_y * along, a_yy = here(of.kappa_y) - e_y * across;
+        const V per = hn::Div(Number(1.0), a_ss * a_yy - a_sy * a_ys);
+        b_ss = a_yy * per;
+        b_sy = hn::Neg(a_sy * per);
+        b_ys = hn::Neg(a_ys * per);
+        b_yy = a_ss * per;
+      }
+      const V r_s = s - n * e_s, r_y = y - n * e_y;
+      d_s = b_ss * r_s + b_sy * r_y;
+      d_y = b_ys * r_s + b_yy * r_y;
+      g[k] = (n - (along * d_s + across * d_y)) * per_speed;
+      g2[k] = aspect2 * g[k];
     } else {
       g[k] = n * per_speed;
       g2[k] = aspect2 * g[k];
@@ -326,10 +404,10 @@ class StepSeries : public RoofSeries<roof, order + 1, order> {
 
 /// How far a step may go, as a fraction of what is left of the interval.
 template <RoofKind roof>
-HWY_INLINE V StepFraction(const StepSeries<roof>& z, V allowed) {
+HWY_INLINE V StepFraction(const StepSeries<roof>& z, V longest, V allowed) {
   const V one = Number(1.0), half = Number(0.5);
   const V error = hn::Abs(z.v_s[order]) + hn::Abs(z.v_y[order]);
-  V f = hn::Min(one, hn::Div(Number(3.0) * z.speed[0], z.weight[0]));
+  V f = hn::Min(longest, hn::Div(Number(3.0) * z.speed[0], z.weight[0]));
   const Mask slows = hn::Lt(z.speed[1], hn::Zero(Doubles()));
   const V to_stop =
       hn::Div(Number(-approach_to_stop) * z.speed[0], hn::IfThenElse(slows, z.speed[1], one));

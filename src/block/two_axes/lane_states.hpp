@@ -5,16 +5,19 @@
 #include <cstdint>
 #include <cstring>
 
+#include "glissade/building/modes.hpp"
+
 namespace glissade::block_detail::two_axes {
 
 /// What the block lies on: ground; a building, of one mass or of several modes, without the mass of
-/// the block; one with it.
-enum class RoofKind { rigid, building, modes, coupled };
+/// the block; both with it.
+enum class RoofKind { rigid, building, modes, coupled, coupled_modes };
 
-/// Whether the building's state goes with the block: else the roof is known beforehand.
-constexpr bool has_state(RoofKind roof) {
-  return roof == RoofKind::building || roof == RoofKind::coupled;
+constexpr bool has_mass(RoofKind roof) {
+  return roof == RoofKind::coupled || roof == RoofKind::coupled_modes;
 }
+/// Whether the building's state goes with the block: else the roof is known beforehand.
+constexpr bool has_state(RoofKind roof) { return roof == RoofKind::building || has_mass(roof); }
 
 /// Terms of the power series of a roof of modes over a sample interval (RestTable::rows).
 constexpr std::size_t row_terms = 10;
@@ -57,6 +60,39 @@ struct Constants {
   Number anisotropy;  ///< how much the block's rate differs by direction, over mu N
 };
 
+/// A building of several modes under the block's mass (theory.md, 3.4), by axis and mode; zero
+/// where there is no mode. With gamma and kappa of a mode, and rho = r / (1 + r) of its axis:
+///   x and Y = y + omega kappa rho b, scaled, times gamma.
+template <class Number>
+struct ModeMotion {
+  Number x[2][most_modes], y[2][most_modes];
+};
+
+/// What does not change in a history on such a building.
+template <class Number>
+struct ModeConstants {
+  Number omega[2][most_modes], twice_zeta[2][most_modes];
+  Number gamma[2][most_modes];
+  Number share[2][most_modes], omega_share[2][most_modes];  ///< share = gamma kappa rho
+  Number ground_share[2], per_mass[2];                      ///< per_mass = 1 - rho
+  Number longest_s;  ///< over which the lanes' series of all modes converge
+  /// With d the block's rate and p its load on a roof that it does not accelerate, A d = p -
+  /// friction: A = (Constants::kappa, kappa_sy; kappa_sy, kappa_y), and the normal force is less by
+  /// (Constants::rho_sin_cos, rho_sin) . d.
+  Number kappa_sy, kappa_y, rho_sin;
+  Number lift_s, lift_y;  ///< (rho_sin_cos, rho_sin) A^-1
+  /// In the axes in which M^-1 A M^-1 is diagonal, turned from those of M v: its numbers, and what
+  /// the normal force is less by.
+  Number turn_c, turn_s, principal_1, principal_2, lifts_1, lifts_2;
+  Number feedback_damping, feedback_spring;  ///< ImplicitSeries::FeedBack
+};
+
+/// What does not change in a history, with `modes` on a roof of coupled_modes.
+struct SceneConstants : Constants<double> {
+  std::size_t count[2] = {};  ///< of modes
+  ModeConstants<double> modes{};
+};
+
 /// Histories that slide, side by side.
 struct LaneStates {
   static constexpr std::size_t count = 32;
@@ -64,6 +100,9 @@ struct LaneStates {
 
   alignas(64) LaneMotion<Lanes> motion = {};
   alignas(64) Constants<Lanes> constants = {};
+  std::size_t modes = 0;  ///< of an axis, at most; else there is no ModeMotion
+  alignas(64) ModeMotion<Lanes> mode_motion = {};
+  alignas(64) ModeConstants<Lanes> mode_constants = {};
   alignas(64) std::int64_t node[count] = {};   ///< before which sample interval's begin
   alignas(64) std::int64_t limit[count] = {};  ///< node from which on the lane does not go
   alignas(64) std::int64_t rows[count] = {};   ///< RestTable::rows, from GroundRows::nodes on
@@ -127,5 +166,7 @@ struct Stepped {
 
 /// One step of every active lane.
 Stepped step(LaneStates& lanes, const GroundRows& ground, RoofKind roof, StepKind kind);
+/// The same on a roof that the block accelerates, compiled by itself.
+Stepped coupled_step(LaneStates& lanes, const GroundRows& ground, RoofKind roof, StepKind kind);
 
 }  // namespace glissade::block_detail::two_axes

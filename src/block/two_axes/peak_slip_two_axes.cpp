@@ -39,6 +39,12 @@ BuildingKey key_of(const BiaxialBuilding& building) {
   return {first, second, building.mass_ratio};
 }
 
+/// Of an axis, at most.
+std::size_t modes_of(const TwoAxisScene& scene) {
+  const auto& [first, second] = scene.building.horizontal;
+  return std::max(first.size(), second.size());
+}
+
 /// The tables of the last buildings. One that a history still needs lives on; the memory of others
 /// is used again.
 class RestTables {
@@ -50,7 +56,7 @@ class RestTables {
       if (key == other) return table;
     std::shared_ptr<RestTable> table;
     const bool of_modes = roof == RoofKind::modes;
-    while (kept_.size() >= most_kept(nodes, of_modes)) {
+    while (kept_.size() >= most_kept(nodes, rows_of(scene, roof))) {
       auto& [other, oldest] = kept_.front();
       if (oldest.use_count() == 1 && of_modes == !oldest->rows.empty()) table = std::move(oldest);
       kept_.erase(kept_.begin());
@@ -65,19 +71,18 @@ class RestTables {
 
  private:
   /// Each search for a capacity needs the tables of its batch again.
-  static std::size_t most_kept(const GroundNodes& nodes, bool of_modes) {
+  static std::size_t most_kept(const GroundNodes& nodes, std::size_t rows) {
     constexpr std::size_t most_bytes = 32 << 20;
-    const std::size_t rows = of_modes ? 2 + 2 * block_detail::two_axes::row_terms : 6;
     const std::size_t bytes = rows * sizeof(double) * (nodes.quiet + 1);
     return std::clamp<std::size_t>(most_bytes / bytes, 2, 64);
   }
+  /// Numbers at a node.
+  static std::size_t rows_of(const TwoAxisScene& scene, RoofKind roof) {
+    if (roof == RoofKind::modes) return 2 + 2 * block_detail::two_axes::row_terms;
+    return roof == RoofKind::coupled_modes ? 2 + 4 * modes_of(scene) : 6;
+  }
   std::vector<std::pair<BuildingKey, std::shared_ptr<RestTable>>> kept_;
 };
-
-bool has_modes(const TwoAxisScene& scene) {
-  return std::ranges::any_of(scene.building.horizontal,
-                             [](const Modes& axis) { return axis.size() > 1; });
-}
 
 /// Scenes under one motion, and where their results go.
 struct Batch {
@@ -134,7 +139,7 @@ struct Underway {
 /// Lanes, and whose they are.
 struct OwnedLanes {
   StepKind kind;
-  LaneStates lanes = {};
+  LaneStates lanes;
   std::unique_ptr<Underway> owners[LaneStates::count] = {};
   std::uint32_t steps[LaneStates::count] = {};          ///< Underway::implicit_steps
   std::vector<std::unique_ptr<Underway>> waiting = {};  ///< for a lane
@@ -146,6 +151,10 @@ struct OwnedLanes {
     const auto lane = static_cast<std::size_t>(std::countr_one(lanes.active));
     LaneStates::store(lanes.constants, lane, next->history.constants());
     LaneStates::store(lanes.motion, lane, next->state.motion);
+    if (lanes.modes > 0) {
+      LaneStates::store(lanes.mode_constants, lane, next->history.constants().modes);
+      LaneStates::store(lanes.mode_motion, lane, next->state.modes);
+    }
     lanes.node[lane] = next->state.node;
     lanes.next2[lane] = next->history.next2();
     lanes.limit[lane] = next->history.limit();
@@ -156,6 +165,7 @@ struct OwnedLanes {
   }
   std::unique_ptr<Underway> take(std::size_t lane) {
     LaneStates::load(lanes.motion, lane, owners[lane]->state.motion);
+    if (lanes.modes > 0) LaneStates::load(lanes.mode_motion, lane, owners[lane]->state.modes);
     owners[lane]->state.node = lanes.node[lane];
     lanes.node[lane] = lanes.rows[lane] = 0;  // its vector may still read there
     owners[lane]->implicit_steps = steps[lane];
@@ -188,6 +198,10 @@ class Pool {
   /// @param tasks those on one building are neighbours
   void run(std::span<const std::size_t> tasks) {
     tasks_ = tasks;
+    for (const std::size_t k : tasks)
+      if (roof_ == RoofKind::coupled_modes)
+        taylor_.lanes.modes = std::max(taylor_.lanes.modes, modes_of(batch_.scenes[k]));
+    implicit_.lanes.modes = taylor_.lanes.modes;
     for (;;) {
       while (next_ < tasks_.size() && underway_ < most_underway) begin(tasks_[next_++]);
       for (OwnedLanes* lanes : {&taylor_, &implicit_}) lanes->fill();
@@ -204,10 +218,12 @@ class Pool {
 
   void begin(std::size_t scene) {
     const TwoAxisScene& s = batch_.scenes[scene];
+    auto table = state_.tables.of(s, state_.nodes, roof_);
+    if (!table->usable()) return state_.by_reference(batch_, scene);
     ++underway_;
     auto next = std::make_unique<Underway>(
         Underway{LaneHistory(block_detail::two_axes::constants_of(s, state_.tolerance), roof_,
-                             state_.nodes, state_.tables.of(s, state_.nodes, roof_),
+                             state_.nodes, std::move(table),
                              DistanceCrossings(batch_.thresholds_m, batch_.crossings_of(scene))),
                  {},
                  scene});
@@ -304,7 +320,7 @@ void TwoAxisLanes::slide(std::span<const TwoAxisScene> scenes, std::span<TwoAxis
   GLISSADE_EXPECTS(crossings.size() == scenes.size() * thresholds_m.size());
   const double dt_s = state_->ground.horizontal[0]->step_s();
   std::vector<TwoAxisScene> of_modes;  // all, if there are modes
-  if (std::ranges::any_of(scenes, has_modes)) {
+  if (std::ranges::any_of(scenes, [](const TwoAxisScene& s) { return modes_of(s) > 1; })) {
     of_modes.assign(scenes.begin(), scenes.end());
     for (TwoAxisScene& scene : of_modes)
       for (Modes& axis : scene.building.horizontal)
@@ -312,7 +328,7 @@ void TwoAxisLanes::slide(std::span<const TwoAxisScene> scenes, std::span<TwoAxis
     scenes = of_modes;
   }
   const Batch batch{scenes, peaks, thresholds_m, crossings};
-  std::array<std::vector<std::size_t>, 4> tasks;  // by roof
+  std::array<std::vector<std::size_t>, 5> tasks;  // by roof
   for (std::size_t k = 0; k < scenes.size(); ++k) {
     require_finite_scene(scenes[k].building, scenes[k].block, scenes[k].factors);
     if (block_detail::two_axes::fits_lanes(scenes[k], state_->ground))
@@ -320,8 +336,8 @@ void TwoAxisLanes::slide(std::span<const TwoAxisScene> scenes, std::span<TwoAxis
     else
       state_->by_reference(batch, k);
   }
-  for (const RoofKind roof :
-       {RoofKind::rigid, RoofKind::building, RoofKind::modes, RoofKind::coupled}) {
+  for (const RoofKind roof : {RoofKind::rigid, RoofKind::building, RoofKind::modes,
+                              RoofKind::coupled, RoofKind::coupled_modes}) {
     std::vector<std::size_t>& on_roof = tasks[static_cast<std::size_t>(roof)];
     if (on_roof.empty()) continue;
     std::ranges::stable_sort(on_roof, {},

@@ -18,7 +18,8 @@ double omega_of(const Mode& mode) {
   return mode.period_s > 0.0 ? 2.0 * std::numbers::pi / mode.period_s : 0.0;
 }
 
-/// Of modes only, whose roof is a polynomial to 1e-8 up to this phase.
+/// Of modes, whose roof is a polynomial to 1e-8 up to this phase; coupled, a step of the lanes is
+/// shorter.
 constexpr double longest_phase_of_modes = 2.6;
 
 bool fits_lanes(const Modes& axis, double longest_phase, double dt_s) {
@@ -33,8 +34,10 @@ bool fits_lanes(const Modes& axis, double longest_phase, double dt_s) {
 RoofKind roof_of(const TwoAxisScene& scene) {
   const auto& [first, second] = scene.building.horizontal;
   if (first.rigid()) return RoofKind::rigid;
-  if (scene.building.mass_ratio > 0.0) return RoofKind::coupled;
-  return first.is_one_mass() && second.is_one_mass() ? RoofKind::building : RoofKind::modes;
+  const bool one_mass = first.is_one_mass() && second.is_one_mass();
+  if (scene.building.mass_ratio > 0.0)
+    return one_mass ? RoofKind::coupled : RoofKind::coupled_modes;
+  return one_mass ? RoofKind::building : RoofKind::modes;
 }
 
 bool fits_lanes(const TwoAxisScene& scene, const BuildingGround& ground) {
@@ -49,8 +52,8 @@ bool fits_lanes(const TwoAxisScene& scene, const BuildingGround& ground) {
   if (first.rigid() != second.rigid()) return false;
   const double dt_s = ground.horizontal[0]->step_s();
   const RoofKind roof = roof_of(scene);
-  const double phase = roof == RoofKind::modes ? longest_phase_of_modes : longest_phase_in_lanes;
-  if (roof == RoofKind::coupled && !(first.is_one_mass() && second.is_one_mass())) return false;
+  const bool of_modes = roof == RoofKind::modes || roof == RoofKind::coupled_modes;
+  const double phase = of_modes ? longest_phase_of_modes : longest_phase_in_lanes;
   if (!first.rigid() && !(fits_lanes(first, phase, dt_s) && fits_lanes(second, phase, dt_s)))
     return false;
   for (const Yielding& spring : scene.building.yielding)
@@ -58,11 +61,74 @@ bool fits_lanes(const TwoAxisScene& scene, const BuildingGround& ground) {
   return ground.vertical == nullptr || ground.vertical->rigid();
 }
 
-Constants<double> constants_of(const TwoAxisScene& scene, double tolerance) {
+namespace {
+
+/// The modes of a scene, and the equations of the contact (ModeConstants).
+void set_modes(const TwoAxisScene& scene, SceneConstants& c) {
+  ModeConstants<double>& of = c.modes;
+  double rho[2], fastest = 0.0;
+  for (std::size_t axis = 0; axis < 2; ++axis) {
+    const Modes& modes = scene.building.horizontal[axis];
+    const double r = scene.building.mass_ratio * modes.accelerance();
+    rho[axis] = r / (1.0 + r);
+    of.per_mass[axis] = 1.0 / (1.0 + r);
+    of.ground_share[axis] = modes.ground_share();
+    std::size_t& n = c.count[axis];
+    for (const Mode& mode : modes) {
+      if (mode.participation == 0.0) continue;
+      const double omega = omega_of(mode), twice_zeta = 2.0 * mode.damping_ratio;
+      const double share = scene.building.mass_ratio * of.per_mass[axis] * mode.participation *
+                           mode.participation / mode.mass_share;
+      of.omega[axis][n] = omega;
+      of.twice_zeta[axis][n] = twice_zeta;
+      of.gamma[axis][n] = mode.participation;
+      of.share[axis][n] = share;
+      of.omega_share[axis][n] = omega * share;
+      of.feedback_damping += omega * share * twice_zeta;
+      of.feedback_spring += omega * omega * share;
+      fastest = std::max(fastest, omega);
+      ++n;
+    }
+  }
+  of.longest_s = longest_phase_in_lanes / fastest;
+  const double sine = std::sin(std::atan(c.tangent)), cos2 = c.c * c.c, sin2 = c.s * c.s;
+  const double rho_s = cos2 * rho[0] + sin2 * rho[1], rho_y = sin2 * rho[0] + cos2 * rho[1],
+               rho_sy = c.c * c.s * (rho[1] - rho[0]), mean = 0.5 * (rho[0] + rho[1]);
+  c.kappa = 1.0 - rho_s * c.cosine2;
+  c.rho_sin_cos = rho_s * sine * c.cosine;
+  of.kappa_sy = -rho_sy * c.cosine;
+  of.kappa_y = 1.0 - rho_y;
+  of.rho_sin = rho_sy * sine;
+  const double det = c.kappa * of.kappa_y - of.kappa_sy * of.kappa_sy;
+  of.lift_s = (c.rho_sin_cos * of.kappa_y - of.rho_sin * of.kappa_sy) / det;
+  of.lift_y = (of.rho_sin * c.kappa - c.rho_sin_cos * of.kappa_sy) / det;
+  // Jacobi's rotation.
+  const double a = c.kappa, b = of.kappa_sy * c.per_aspect,
+               d = of.kappa_y * c.per_aspect * c.per_aspect;
+  const double angle = 0.5 * std::atan2(2.0 * b, a - d);
+  of.turn_c = std::cos(angle);
+  of.turn_s = std::sin(angle);
+  const double cross = 2.0 * of.turn_c * of.turn_s * b;
+  of.principal_1 = of.turn_c * of.turn_c * a + of.turn_s * of.turn_s * d + cross;
+  of.principal_2 = of.turn_s * of.turn_s * a + of.turn_c * of.turn_c * d - cross;
+  const double lifts_y = of.rho_sin * c.per_aspect;
+  of.lifts_1 = of.turn_c * c.rho_sin_cos + of.turn_s * lifts_y;
+  of.lifts_2 = of.turn_c * lifts_y - of.turn_s * c.rho_sin_cos;
+  // About the mean of both axes.
+  c.per_kappa_y = 1.0 / (1.0 - mean);
+  const double differs =
+      std::max(std::abs(1.0 - mean - c.kappa), std::abs(1.0 - mean - of.kappa_y)) +
+      std::abs(of.kappa_sy);
+  c.anisotropy = c.per_kappa_y * (differs + c.mu * (c.rho_sin_cos + std::abs(of.rho_sin)));
+}
+
+}  // namespace
+
+SceneConstants constants_of(const TwoAxisScene& scene, double tolerance) {
   const TwoAxisBlock& block = scene.block;
   const RoofKind roof = roof_of(scene);
   const double r = roof == RoofKind::coupled ? scene.building.mass_ratio : 0.0, rho = r / (1.0 + r);
-  Constants<double> c{};
+  SceneConstants c{};
   c.factor_1 = scene.factors.horizontal[0];
   c.factor_2 = scene.factors.horizontal[1];
   c.factor_w = scene.factors.vertical;
@@ -90,6 +156,7 @@ Constants<double> constants_of(const TwoAxisScene& scene, double tolerance) {
   c.rho_sin_cos = rho * std::sin(block.slope_rad) * c.cosine;
   c.per_kappa_y = 1.0 + r;
   c.anisotropy = c.per_kappa_y * (std::abs(1.0 / c.per_kappa_y - c.kappa) + c.mu * c.rho_sin_cos);
+  if (roof == RoofKind::coupled_modes) set_modes(scene, c);
   return c;
 }
 

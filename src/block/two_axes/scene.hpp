@@ -13,6 +13,6 @@ bool fits_lanes(const TwoAxisScene& scene, const BuildingGround& ground);
 
 RoofKind roof_of(const TwoAxisScene& scene);
 
-Constants<double> constants_of(const TwoAxisScene& scene, double tolerance);
+SceneConstants constants_of(const TwoAxisScene& scene, double tolerance);
 
 }  // namespace glissade::block_detail::two_axes

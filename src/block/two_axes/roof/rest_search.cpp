@@ -19,9 +19,13 @@ std::size_t FirstRelease(const RestMotion& motion, const Constants<double>& c, d
   const auto number = [d](double value) { return hn::Set(d, value); };
   for (std::size_t k = 0; k < 8; k += hn::Lanes(d)) {
     const auto roof = [&](const RestMotion::Axis& axis) {
-      const auto free = hn::LoadU(d, axis.x_part + k) * number(axis.x) +
-                        hn::LoadU(d, axis.y_part + k) * number(axis.y);
-      return number(axis.factor) * hn::LoadU(d, axis.a + k) + free;
+      auto a = number(axis.factor) * hn::LoadU(d, axis.a + k);
+      for (std::size_t n = 0; n < axis.count; ++n) {
+        const RestMotion::Axis::Free& free = axis.free[n];
+        a = a + (hn::LoadU(d, free.x_part + k) * number(free.state.x) +
+                 hn::LoadU(d, free.y_part + k) * number(free.state.y));
+      }
+      return a;
     };
     const auto a_1 = roof(motion.axis[0]), a_2 = roof(motion.axis[1]);
     const auto fall = number(c.gravity) + number(c.factor_w) * hn::LoadU(d, motion.w + k);

@@ -3,7 +3,7 @@
 
 #include <cstddef>
 
-#include "block/two_axes/lane_states.hpp"
+#include "block/two_axes/roof/tables.hpp"
 
 namespace glissade::block_detail::two_axes {
 
@@ -13,9 +13,13 @@ struct RestMotion {
   struct Axis {
     const double* a;  ///< at the nodes
     double factor;
-    const double* x_part;  ///< of the free vibration (FreeVibration)
-    const double* y_part;
-    double x, y;  ///< the free vibration's state at the first node
+    struct Free {
+      const double* x_part;  ///< FreeVibration's
+      const double* y_part;
+      AxisState state;  ///< at the first node
+    };
+    std::array<Free, most_modes> free;
+    std::size_t count;
   };
   Axis axis[2];
   const double* w;

@@ -11,7 +11,7 @@ constexpr double zeros[8] = {};
 
 }  // namespace
 
-RoofAtRest::RoofAtRest(const Constants<double>& constants, RoofKind roof, const GroundNodes& ground,
+RoofAtRest::RoofAtRest(const SceneConstants& constants, RoofKind roof, const GroundNodes& ground,
                        const RestTable& table, const HistoryState& state)
     : constants_(constants),
       roof_(roof),
@@ -21,46 +21,71 @@ RoofAtRest::RoofAtRest(const Constants<double>& constants, RoofKind roof, const 
                     static_cast<std::size_t>(state.node) >= ground.quiet),
       base_(static_cast<std::size_t>(state.node)) {
   if (!vibrates()) return;
-  const LaneMotion<double>& m = state.motion;
-  std::array<AxisState, 2> beside{{{m.x_1, m.y_1}, {m.x_2, m.y_2}}};
-  for (std::size_t n = 0; n < 2 && !after_record_; ++n) {
-    const AxisState own = table_.state(n, base_);
-    beside[n].x -= factor(n) * own.x;
-    beside[n].y -= factor(n) * own.y;
+  RoofState beside = state.roof(roof_);
+  for (std::size_t n = 0; n < 2; ++n) {
+    if (roof_ == RoofKind::coupled_modes) beside[n] = table_.rest[n].vibrations(beside[n]);
+    for (std::size_t k = 0; k < table_.free[n].size() && !after_record_; ++k) {
+      const AxisState own = table_.state(n, base_, k);
+      beside[n][k].x -= factor(n) * own.x;
+      beside[n][k].y -= factor(n) * own.y;
+    }
   }
   if (roof_ == RoofKind::building && !after_record_) beside = {};  // rounding
   set_free(base_, beside);
 }
 
-void RoofAtRest::set_free(std::size_t node, const std::array<AxisState, 2>& state) {
+void RoofAtRest::set_free(std::size_t node, const RoofState& state) {
   base_ = node;
   free_ = state;
-  for (std::size_t n = 0; n < 2; ++n) free_bound_[n] = table_.free[n].bound(free_[n]);
+  set_bounds(free_);
 }
 
-std::array<AxisState, 2> RoofAtRest::state(std::size_t node) const {
-  std::array<AxisState, 2> state{};
-  for (std::size_t n = 0; n < 2 && vibrates(); ++n) {
-    state[n] = table_.free[n].after(node - base_, free_[n]);
-    if (after_record_) continue;
-    const AxisState own = table_.state(n, node);
-    state[n].x += factor(n) * own.x;
-    state[n].y += factor(n) * own.y;
-  }
+void RoofAtRest::set_bounds(const RoofState& free) {
+  free_bound_ = free_deviation_ = {};
+  for (std::size_t n = 0; n < 2; ++n)
+    for (std::size_t k = 0; k < table_.free[n].size(); ++k) {
+      const double bound = table_.free[n][k].bound(free[n][k]);
+      free_bound_[n] += bound;
+      free_deviation_[n] += bound * table_.free[n][k].deviation();
+    }
+}
+
+RoofState RoofAtRest::free_at(std::size_t node) const {
+  RoofState free{};
+  for (std::size_t n = 0; n < 2; ++n)
+    for (std::size_t k = 0; k < table_.free[n].size(); ++k)
+      free[n][k] = table_.free[n][k].after(node - base_, free_[n][k]);
+  return free;
+}
+
+RoofState RoofAtRest::in_table(std::size_t node) const {
+  RoofState state = free_at(node);
+  for (std::size_t n = 0; n < 2 && !after_record_; ++n)
+    for (std::size_t k = 0; k < table_.free[n].size(); ++k) {
+      const AxisState own = table_.state(n, node, k);
+      state[n][k].x += factor(n) * own.x;
+      state[n][k].y += factor(n) * own.y;
+    }
+  return state;
+}
+
+RoofState RoofAtRest::state(std::size_t node) const {
+  RoofState state = in_table(node);
+  if (roof_ == RoofKind::coupled_modes)
+    for (std::size_t n = 0; n < 2; ++n) state[n] = table_.rest[n].modes(state[n]);
   return state;
 }
 
 void RoofAtRest::end_record() {
-  const std::array<AxisState, 2> all = state(ground_.quiet);
+  const RoofState all = in_table(ground_.quiet);
   after_record_ = true;
   if (vibrates()) set_free(ground_.quiet, all);
 }
 
 void RoofAtRest::renew(std::size_t node) {
   if (!vibrates()) return;
-  if (after_record_) return set_free(node, state(node));
-  for (std::size_t n = 0; n < 2; ++n)
-    free_bound_[n] = table_.free[n].bound(table_.free[n].after(node - base_, free_[n]));
+  if (after_record_) return set_free(node, in_table(node));
+  set_bounds(free_at(node));
 }
 
 bool RoofAtRest::sticks(const std::array<double, 2>& a, double w) const {
@@ -82,7 +107,7 @@ bool RoofAtRest::sticks_from(std::size_t node) const {
 }
 
 double RoofAtRest::deviation(std::size_t axis, std::size_t tile) const {
-  const double free = vibrates() ? free_bound_[axis] * table_.free[axis].deviation() : 0.0;
+  const double free = free_deviation_[axis];
   return after_record_ ? free : free + std::abs(factor(axis)) * table_.deviation[axis][tile];
 }
 
@@ -107,16 +132,18 @@ std::size_t RoofAtRest::first_release(std::size_t from, std::size_t end) const {
   const double needed = (deviation(0, k) + deviation(1, k)) *
                             (std::max(1.0, c.per_aspect) / c.cosine + c.mu * c.tangent) +
                         rounding;
+  RestMotion motion;
   for (std::size_t i = from; i <= end; i += 8) {
-    RestMotion motion;
     for (std::size_t n = 0; n < 2; ++n) {
-      const AxisState now = vibrates() ? table_.free[n].after(i - base_, free_[n]) : AxisState{};
-      motion.axis[n] = {after_record_ ? zeros : table_.a[n] + i,
-                        factor(n),
-                        vibrates() ? table_.free[n].x_part().data() : zeros,
-                        vibrates() ? table_.free[n].y_part().data() : zeros,
-                        now.x,
-                        now.y};
+      RestMotion::Axis& axis = motion.axis[n];
+      axis.a = after_record_ ? zeros : table_.a[n] + i;
+      axis.factor = factor(n);
+      axis.count = table_.free[n].size();
+      for (std::size_t k = 0; k < axis.count; ++k) {
+        const FreeVibration& free = table_.free[n][k];
+        axis.free[k] = {free.x_part().data(), free.y_part().data(),
+                        free.after(i - base_, free_[n][k])};
+      }
     }
     motion.w = i > ground_.quiet ? zeros : ground_.w.data() + i;
     const std::size_t released = two_axes::first_release(motion, c, needed);

@@ -14,10 +14,10 @@ namespace glissade::block_detail::two_axes {
 /// is not zero, the free vibration alone. The table of modes goes on and ends with a bound.
 class RoofAtRest {
  public:
-  RoofAtRest(const Constants<double>& constants, RoofKind roof, const GroundNodes& ground,
+  RoofAtRest(const SceneConstants& constants, RoofKind roof, const GroundNodes& ground,
              const RestTable& table, const HistoryState& state);
 
-  std::array<AxisState, 2> state(std::size_t node) const;
+  RoofState state(std::size_t node) const;
   /// Nothing is known of the roof before this node.
   std::size_t base() const { return base_; }
   bool after_record() const { return after_record_; }
@@ -42,17 +42,21 @@ class RoofAtRest {
   double factor(std::size_t axis) const {
     return axis == 0 ? constants_.factor_1 : constants_.factor_2;
   }
-  void set_free(std::size_t node, const std::array<AxisState, 2>& state);
+  /// As RestTable's, of all axes.
+  RoofState in_table(std::size_t node) const;
+  RoofState free_at(std::size_t node) const;
+  void set_free(std::size_t node, const RoofState& state);
+  void set_bounds(const RoofState& free);
   double deviation(std::size_t axis, std::size_t tile) const;
 
-  const Constants<double>& constants_;
+  const SceneConstants& constants_;
   RoofKind roof_;
   const GroundNodes& ground_;
   const RestTable& table_;
   bool after_record_;
   std::size_t base_;  // node of free_
-  std::array<AxisState, 2> free_{};
-  std::array<double, 2> free_bound_{};  // of its acceleration
+  RoofState free_{};
+  std::array<double, 2> free_bound_{}, free_deviation_{};  // of its acceleration
 };
 
 }  // namespace glissade::block_detail::two_axes

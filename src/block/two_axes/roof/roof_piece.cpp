@@ -8,18 +8,47 @@
 namespace glissade::block_detail::two_axes {
 namespace {
 
-/// Terms of a power series of free vibration of which the rest is below 1e-12, by omega times the
+/// Terms of a power series of free vibration of which the rest is below 1e-10, by omega times the
 /// length of the piece.
-int terms_for(double phase, int most) {
+int terms_for(double phase) {
   if (phase < 0.02) return 6;
   if (phase < 0.1) return 8;
-  return phase < 0.3 ? 10 : most;
+  if (phase < 0.3) return 10;
+  return phase < 0.9 ? 12 : 20;
 }
 
 }  // namespace
 
+RoofState HistoryState::roof(RoofKind roof) const {
+  RoofState state{};
+  if (roof == RoofKind::coupled_modes) {
+    for (std::size_t axis = 0; axis < 2; ++axis)
+      for (std::size_t n = 0; n < most_modes; ++n)
+        state[axis][n] = {modes.x[axis][n], modes.y[axis][n]};
+    return state;
+  }
+  state[0][0] = {motion.x_1, motion.y_1};
+  state[1][0] = {motion.x_2, motion.y_2};
+  return state;
+}
+
+void HistoryState::set_roof(RoofKind roof, const RoofState& state) {
+  if (roof == RoofKind::coupled_modes) {
+    for (std::size_t axis = 0; axis < 2; ++axis)
+      for (std::size_t n = 0; n < most_modes; ++n) {
+        modes.x[axis][n] = state[axis][n].x;
+        modes.y[axis][n] = state[axis][n].y;
+      }
+    return;
+  }
+  motion.x_1 = state[0][0].x;
+  motion.y_1 = state[0][0].y;
+  motion.x_2 = state[1][0].x;
+  motion.y_2 = state[1][0].y;
+}
+
 RoofPiece::RoofPiece(const HistoryState& state, const GroundNodes& ground, const RestTable& table,
-                     const Constants<double>& c, RoofKind roof, const BlockVelocity& block_velocity)
+                     const SceneConstants& c, RoofKind roof, const BlockVelocity& block_velocity)
     : constants_(&c), roof_(roof), length_s_(ground.dt_s * state.motion.left) {
   const LaneMotion<double>& m = state.motion;
   const auto next = static_cast<std::size_t>(state.node + 1);
@@ -41,16 +70,24 @@ RoofPiece::RoofPiece(const HistoryState& state, const GroundNodes& ground, const
     read(table.row(1, node), c.factor_2, m.left, a_[1]);
     return;
   }
-  terms_ = terms_for(std::max(c.omega_1, c.omega_2) * length_s_, most_terms);
+  if (roof == RoofKind::coupled_modes)
+    respond_on_modes(state.roof(roof), block_velocity);
+  else
+    respond(state.roof(roof), block_velocity);
+}
+
+void RoofPiece::respond(const RoofState& state, const BlockVelocity& block_velocity) {
+  const SceneConstants& c = *constants_;
+  terms_ = terms_for(std::max(c.omega_1, c.omega_2) * length_s_);
   const double omega[] = {c.omega_1, c.omega_2}, damping[] = {c.twice_zeta_1, c.twice_zeta_2};
   const double omega_rho[] = {c.omega_rho_1, c.omega_rho_2};
   for (std::size_t n = 0; n < 2; ++n) {
     const double phase = omega[n] * length_s_;
     const double forcing[] = {ground_[n], ground_end_[n] - ground_[n]};
     const double b = omega_rho[n] * block_velocity[n];
-    Terms &x = x_[n], &y = y_[n], &a = a_[n];
-    x[0] = n == 0 ? m.x_1 : m.x_2;
-    y[0] = n == 0 ? m.y_1 : m.y_2;
+    Terms &x = x_[n][0], &y = y_[n][0], &a = a_[n];
+    x[0] = state[n][0].x;
+    y[0] = state[n][0].y;
     for (std::size_t k = 0; k < static_cast<std::size_t>(terms_); ++k) {
       const double rate = k == 0 ? y[k] - b : y[k];
       a[k] = -(damping[n] * rate + x[k]) * c.per_mass;
@@ -58,6 +95,40 @@ RoofPiece::RoofPiece(const HistoryState& state, const GroundNodes& ground, const
       const double factor = phase * Series::inverse[k + 1];
       x[k + 1] = factor * rate;
       y[k + 1] = factor * (k < 2 ? a[k] - forcing[k] : a[k]);
+    }
+  }
+}
+
+/// As RoofSeries::RespondModes.
+void RoofPiece::respond_on_modes(const RoofState& state, const BlockVelocity& block_velocity) {
+  const SceneConstants& c = *constants_;
+  const ModeConstants<double>& of = c.modes;
+  double fastest = 0.0;
+  for (const auto& axis : of.omega) fastest = std::max(fastest, *std::ranges::max_element(axis));
+  terms_ = terms_for(fastest * length_s_);
+  for (std::size_t axis = 0; axis < 2; ++axis) {
+    count_[axis] = c.count[axis];
+    const double forcing[] = {ground_[axis], ground_end_[axis] - ground_[axis]};
+    for (std::size_t n = 0; n < count_[axis]; ++n) {
+      x_[axis][n][0] = state[axis][n].x;
+      y_[axis][n][0] = state[axis][n].y;
+    }
+    for (std::size_t k = 0; k < static_cast<std::size_t>(terms_); ++k) {
+      const double ground = k < 2 ? forcing[k] : 0.0;
+      double rate[most_modes], e[most_modes], sum = of.ground_share[axis] * ground;
+      for (std::size_t n = 0; n < count_[axis]; ++n) {
+        rate[n] = y_[axis][n][k];
+        if (k == 0) rate[n] -= of.omega_share[axis][n] * block_velocity[axis];
+        e[n] = -(of.twice_zeta[axis][n] * rate[n] + x_[axis][n][k]);
+        sum += e[n];
+      }
+      a_[axis][k] = of.per_mass[axis] * sum;
+      if (k + 1 == static_cast<std::size_t>(terms_)) break;
+      for (std::size_t n = 0; n < count_[axis]; ++n) {
+        const double factor = of.omega[axis][n] * length_s_ * Series::inverse[k + 1];
+        x_[axis][n][k + 1] = factor * rate[n];
+        y_[axis][n][k + 1] = factor * (e[n] - of.share[axis][n] * sum - of.gamma[axis][n] * ground);
+      }
     }
   }
 }
@@ -101,10 +172,11 @@ void RoofPiece::move(HistoryState& state, double tau) const {
   m.ground_2 = whole ? ground_end_[1] : ground_[1] + tau * (ground_end_[1] - ground_[1]);
   m.w = whole ? w_end_ : w_ + tau * (w_end_ - w_);
   if (has_state(roof_)) {
-    m.x_1 = sum(x_[0], terms_, tau);
-    m.y_1 = sum(y_[0], terms_, tau);
-    m.x_2 = sum(x_[1], terms_, tau);
-    m.y_2 = sum(y_[1], terms_, tau);
+    RoofState roof{};
+    for (std::size_t axis = 0; axis < 2; ++axis)
+      for (std::size_t n = 0; n < count_[axis]; ++n)
+        roof[axis][n] = {sum(x_[axis][n], terms_, tau), sum(y_[axis][n], terms_, tau)};
+    state.set_roof(roof_, roof);
   }
   m.left = whole ? 1.0 : m.left * (1.0 - tau);
   if (whole) ++state.node;

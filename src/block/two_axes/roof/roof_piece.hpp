@@ -14,7 +14,12 @@ namespace glissade::block_detail::two_axes {
 /// rest.
 struct HistoryState {
   LaneMotion<double> motion{};
+  ModeMotion<double> modes{};
   std::int64_t node = 0;
+
+  /// The building's state.
+  RoofState roof(RoofKind roof) const;
+  void set_roof(RoofKind roof, const RoofState& state);
 };
 
 /// What acts on the block over the rest of a sample interval, tau in [0, 1] its
@@ -25,7 +30,7 @@ class RoofPiece {
   /// The block's velocity in plan by the building's axes, as if it stayed.
   using BlockVelocity = std::array<double, 2>;
   RoofPiece(const HistoryState& state, const GroundNodes& ground, const RestTable& table,
-            const Constants<double>& constants, RoofKind roof, const BlockVelocity& block_velocity);
+            const SceneConstants& constants, RoofKind roof, const BlockVelocity& block_velocity);
 
   double length_s() const { return length_s_; }
   Load load(double tau) const;
@@ -37,7 +42,7 @@ class RoofPiece {
   void move(HistoryState& state, double tau) const;
 
  private:
-  static constexpr int most_terms = 12;
+  static constexpr int most_terms = 20;
   using Terms = std::array<double, most_terms>;
   static double sum(const Terms& c, int terms, double tau) {
     double total = c[static_cast<std::size_t>(terms) - 1];
@@ -45,17 +50,21 @@ class RoofPiece {
     return total;
   }
 
+  void respond(const RoofState& state, const BlockVelocity& block_velocity);
+  void respond_on_modes(const RoofState& state, const BlockVelocity& block_velocity);
   void read(std::span<const double, row_terms> row, double factor, double left, Terms& a) const;
   double reserve_per_acceleration() const {
     const Constants<double>& c = *constants_;
     return std::max(1.0, c.per_aspect) / c.cosine + c.mu * c.tangent;
   }
 
-  const Constants<double>* constants_;
+  const SceneConstants* constants_;
   RoofKind roof_;
   double length_s_;
   int terms_ = 2;
-  std::array<Terms, 2> a_, x_, y_;
+  std::array<Terms, 2> a_;
+  std::array<std::array<Terms, most_modes>, 2> x_, y_;
+  std::array<std::size_t, 2> count_{1, 1};  // of modes
   std::array<double, 2> ground_, ground_end_;
   double w_, w_end_;
 };

@@ -51,17 +51,28 @@ GroundNodes::GroundNodes(const BuildingGround& ground) : dt_s(ground.horizontal[
 
 FreeVibration::FreeVibration(double omega_radps, double twice_zeta, double per_mass, double dt_s,
                              std::size_t steps)
-    : omega_(omega_radps),
-      twice_zeta_(twice_zeta),
-      per_mass_(per_mass),
-      root_mass_(1.0 / std::sqrt(per_mass)) {
-  const double phase = omega_ * dt_s / root_mass_, zeta = 0.5 * twice_zeta_ / root_mass_;
+    : twice_zeta_(twice_zeta), per_mass_(per_mass), root_mass_(1.0 / std::sqrt(per_mass)) {
+  const double phase = omega_radps * dt_s / root_mass_, zeta = 0.5 * twice_zeta_ / root_mass_;
   const OscillatorStep s = oscillator_step(phase, zeta);
+  repeat({s.xx, s.xy * root_mass_, -s.xy / root_mass_, s.yy}, steps);
+  deviation_ = 0.125 * phase * phase * (1.0 + 4.0 * zeta) * (1.0 + 4.0 * zeta) * between_nodes;
+}
+
+// The same members say that x is the acceleration: -(0 y + x) (-1).
+FreeVibration::FreeVibration(std::complex<double> rate_per_s, double dt_s, std::size_t steps)
+    : twice_zeta_(0.0),
+      per_mass_(-1.0),
+      root_mass_(1.0),
+      deviation_(0.125 * std::norm(rate_per_s * dt_s)) {
+  const std::complex<double> s = std::exp(rate_per_s * dt_s);
+  repeat({s.real(), -s.imag(), s.imag(), s.real()}, steps);
+}
+
+void FreeVibration::repeat(const Matrix& one, std::size_t steps) {
   const auto times = [](const Matrix& a, const Matrix& b) {
     return Matrix{a.xx * b.xx + a.xy * b.yx, a.xx * b.xy + a.xy * b.yy, a.yx * b.xx + a.yy * b.yx,
                   a.yx * b.xy + a.yy * b.yy};
   };
-  const Matrix one{s.xx, s.xy * root_mass_, -s.xy / root_mass_, s.yy};
   for (std::size_t k = 1; k < tile_nodes; ++k) near_[k] = times(one, near_[k - 1]);
   const Matrix per_tile = times(one, near_[tile_nodes - 1]);
   far_.resize(steps / tile_nodes + 2);
@@ -70,7 +81,6 @@ FreeVibration::FreeVibration(double omega_radps, double twice_zeta, double per_m
     x_part_[k] = -(twice_zeta_ * near_[k].yx + near_[k].xx) * per_mass_;
     y_part_[k] = -(twice_zeta_ * near_[k].yy + near_[k].xy) * per_mass_;
   }
-  deviation_ = 0.125 * phase * phase * (1.0 + 4.0 * zeta) * (1.0 + 4.0 * zeta) * between_nodes;
 }
 
 AxisState FreeVibration::after(std::size_t steps, const AxisState& from) const {
@@ -85,13 +95,15 @@ double FreeVibration::bound(const AxisState& s) const {
   return (1.0 + 2.0 * zeta) * envelope.amplitude;
 }
 
-void RestTable::tabulate(const GroundNodes& ground, const Constants<double>& c, RoofKind roof) {
-  free.clear();
+void RestTable::tabulate(const GroundNodes& ground, const SceneConstants& c, RoofKind roof) {
+  free = {};
   end = ground.quiet;
   for (std::size_t n = 0; n < 2; ++n) {
     a[n] = ground.a[n].data();
     deviation[n].assign(tiles_of(ground.quiet), 0.0);
-    const double after = roof == RoofKind::rigid ? 0.0 : tabulate_axis(n, ground, c);
+    const double after = roof == RoofKind::rigid           ? 0.0
+                         : roof == RoofKind::coupled_modes ? tabulate_modes_at_rest(n, ground, c)
+                                                           : tabulate_axis(n, ground, c);
     tile[n] = tile_maxima(a[n], ground.quiet);
     coming[n] = suffix_maxima(tile[n], after);
   }
@@ -102,7 +114,7 @@ double RestTable::tabulate_axis(std::size_t n, const GroundNodes& ground,
   const std::size_t quiet = ground.quiet;
   const double omega = n == 0 ? c.omega_1 : c.omega_2;
   const double twice_zeta = n == 0 ? c.twice_zeta_1 : c.twice_zeta_2;
-  free.emplace_back(omega, twice_zeta, c.per_mass, ground.dt_s, quiet);
+  free[n].emplace_back(omega, twice_zeta, c.per_mass, ground.dt_s, quiet);
   const double root = 1.0 / std::sqrt(c.per_mass), mass = 1.0 / c.per_mass,
                phase = omega * ground.dt_s;
   const OscillatorStep s = oscillator_step(phase / root, 0.5 * twice_zeta / root);
@@ -128,11 +140,11 @@ double RestTable::tabulate_axis(std::size_t n, const GroundNodes& ground,
            s.yy * now.y - yx * now.x - (y0 * g[i] + y1 * g[i + 1])};
     x[n][i + 1] = now.x;
     y[n][i + 1] = now.y;
-    own_a[n][i + 1] = free[n].acceleration(now);
+    own_a[n][i + 1] = free[n][0].acceleration(now);
   }
   add_interval_before(deviation[n]);
   a[n] = own_a[n].data();
-  return free[n].bound(now);
+  return free[n][0].bound(now);
 }
 
 }  // namespace glissade::block_detail::two_axes

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <complex>
 #include <span>
 #include <vector>
 
@@ -47,12 +48,17 @@ struct AxisState {
   double x = 0.0, y = 0.0;
 };
 
-/// The free vibration of one axis with the block at rest on it, over whole
-/// steps.
+/// Of a building, by axis and mode: ModeMotion, or of one mass LaneMotion's.
+using RoofState = std::array<std::array<AxisState, most_modes>, 2>;
+
+/// The free vibration of one axis with the block at rest on it, over whole steps; of several modes
+/// a part of it (RestModes).
 class FreeVibration {
  public:
   FreeVibration(double omega_radps, double twice_zeta, double per_mass, double dt_s,
                 std::size_t steps);
+  /// x + i y = z, with z' = rate z; x is the roof's acceleration.
+  FreeVibration(std::complex<double> rate_per_s, double dt_s, std::size_t steps);
   AxisState after(std::size_t steps, const AxisState& from) const;
   /// The roof's acceleration after 0 ... 7 steps: x[k] from.x + y[k] from.y.
   const std::array<double, 8>& x_part() const { return x_part_; }
@@ -68,24 +74,50 @@ class FreeVibration {
   struct Matrix {
     double xx = 1.0, xy = 0.0, yx = 0.0, yy = 1.0;
   };
-  double omega_, twice_zeta_, per_mass_, root_mass_, deviation_;
+  void repeat(const Matrix& step, std::size_t steps);
+
+  double twice_zeta_, per_mass_, root_mass_, deviation_;
   std::array<Matrix, tile_nodes> near_;
   std::vector<Matrix> far_;  // tile_nodes steps each
   std::array<double, 8> x_part_{}, y_part_{};
+};
+
+/// One axis of a building of several modes with the block at rest on it, which couples them: its
+/// state is the sum of vibrations that each go on by themselves, z_k' = rate_k z_k + per_ground_k
+/// a_ground, and the roof's acceleration is sum of Re z_k + ground_share a_ground.
+struct RestModes {
+  std::size_t count = 0;
+  std::array<std::complex<double>, most_modes> rate{}, per_ground{};
+  double ground_share = 0.0;
+  using Matrix = std::array<std::array<double, 2 * most_modes>, 2 * most_modes>;
+  Matrix to{}, from{};  ///< from the modes' states to Re z, Im z, and back
+  bool found = true;    ///< not: the states are no such sums, to rounding
+
+  RestModes() = default;
+  RestModes(const SceneConstants& constants, std::size_t axis);
+  using States = std::array<AxisState, most_modes>;
+  States vibrations(const States& modes) const { return times(to, modes); }
+  States modes(const States& vibrations) const { return times(from, vibrations); }
+
+ private:
+  States times(const Matrix& matrix, const States& states) const;
 };
 
 /// The roof while the block rests on it from the begin on, for all histories on
 /// one building: by axis, at the ground's nodes, with the ground's own
 /// factor 1.
 struct RestTable {
-  std::array<std::vector<double>, 2> x, y;   ///< empty: rigid
+  /// Empty: rigid. Of several modes, by node, those of `rest`.
+  std::array<std::vector<double>, 2> x, y;
   std::array<std::vector<double>, 2> own_a;  ///< empty: rigid
   std::array<const double*, 2> a{};          ///< acceleration; zeros follow
   std::array<std::vector<double>, 2> tile,
       coming;                                    ///< largest |a|: of a tile, of all to come
   std::array<std::vector<double>, 2> deviation;  ///< how far it leaves its chord, by tile
-  std::vector<FreeVibration> free;               ///< by axis; empty: the roof is known beforehand
-  std::size_t end = 0;  ///< the last node; of modes some time after the record
+  /// By axis, of each state; empty: the roof is known beforehand.
+  std::array<std::vector<FreeVibration>, 2> free;
+  std::array<RestModes, 2> rest;  ///< of several modes under the block's mass
+  std::size_t end = 0;            ///< the last node; of modes some time after the record
   /// Of a roof of modes: by node and axis its acceleration over the sample interval after it, as a
   /// power series of row_terms terms in the elapsed fraction. Empty: another roof.
   std::vector<double> rows;
@@ -95,11 +127,14 @@ struct RestTable {
   }
 
   /// @param ground, roof the same each time that a table is made again
-  void tabulate(const GroundNodes& ground, const Constants<double>& constants, RoofKind roof);
+  void tabulate(const GroundNodes& ground, const SceneConstants& constants, RoofKind roof);
   void tabulate(const GroundNodes& ground, const std::array<Modes, 2>& modes);
-  AxisState state(std::size_t axis, std::size_t node) const {
-    return {x[axis][node], y[axis][node]};
+  AxisState state(std::size_t axis, std::size_t node, std::size_t k) const {
+    const std::size_t i = node * free[axis].size() + k;
+    return {x[axis][i], y[axis][i]};
   }
+  /// Whether the free vibration of the roof is known.
+  bool usable() const { return rest[0].found && rest[1].found; }
 
  private:
   /// One axis of an oscillator.
@@ -107,6 +142,8 @@ struct RestTable {
   double tabulate_axis(std::size_t axis, const GroundNodes& ground,
                        const Constants<double>& constants);
   double tabulate_axis(std::size_t axis, const GroundNodes& ground, const Modes& modes);
+  double tabulate_modes_at_rest(std::size_t axis, const GroundNodes& ground,
+                                const SceneConstants& constants);
 };
 
 /// Nodes after the last, of zeros, that a search may read.
