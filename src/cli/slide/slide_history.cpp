@@ -238,7 +238,7 @@ std::string model_of(const SlideOptions& o) {
     case Kernel::full:
       break;
   }
-  return describe(Kernel::full, true);
+  return "full model: two axes, coupled, error-controlled (slide_on_building)";
 }
 
 SlideHistory run_history(const SlideOptions& o, const Motion& motion, double factor) {

@@ -6,35 +6,51 @@
 namespace glissade {
 namespace {
 
-/// A value other than the usual one, where the quantity has any.
-double unusual_value(const Quantity& quantity, double usual) {
+enum class Values { usual, unusual };
+
+/// A value that is the usual one, or one that is not, where the quantity has any.
+double value_of(const Quantity& quantity, double usual, Values wanted) {
   std::vector<double> values = quantity.values;
   if (quantity.drawn) values = {support(*quantity.drawn).max, support(*quantity.drawn).min};
-  const auto other = std::ranges::find_if(values, [&](double value) { return value != usual; });
-  return other == values.end() ? usual : *other;
+  const auto found = std::ranges::find_if(
+      values, [&](double value) { return (value == usual) == (wanted == Values::usual); });
+  return found == values.end() ? values.front() : *found;
 }
 
-/// A case in which nothing is as usual that is not so in every case of the study.
-Case unusual_case(const StudyConfig& config) {
+/// A case in which all is as usual that is so in any case of the study, or nothing that is not so
+/// in every case.
+Case case_of(const StudyConfig& config, Values wanted) {
   Case c;
   for (std::size_t i = 0; i < parameters().size(); ++i) {
     double& value = parameters()[i].of(c);
-    value = unusual_value(config.quantities[i], value);
+    value = value_of(config.quantities[i], value, wanted);
   }
   return c;
+}
+
+/// The vertical's own oscillator takes part in the history.
+bool oscillates(const StudyConfig& config, const Case& c) {
+  return config.vertical != std::vector{VerticalChoice::none} && c.vertical_period_s != 0.0;
+}
+
+/// The function that computes the histories of a case.
+std::string function_of(Kernel kernel, const StudyConfig& config, const Case& c) {
+  if (kernel == Kernel::tables) return "peak_slip";
+  const bool elastic = !c.yields() && c.law.is_coulomb();
+  if (kernel == Kernel::coupled && !elastic && config.building.is_one_mass())
+    return "slide_coupled";
+  return elastic && !config.base_shear && !oscillates(config, c) ? "peak_slip_two_axes"
+                                                                 : "slide_on_building";
 }
 
 }  // namespace
 
 KernelChoice cheapest_exact_kernel(const StudyConfig& config) {
-  const Case c = unusual_case(config);
+  const Case c = case_of(config, Values::unusual);
   if (config.two_axes()) return {Kernel::full, "both horizontal components act at once"};
   if (c.law.depends_on_speed()) return {Kernel::full, "friction depends on speed"};
-  // The vertical's own oscillator takes part in the history.
-  const bool oscillates =
-      config.vertical != std::vector{VerticalChoice::none} && c.vertical_period_s != 0.0;
   if (!c.law.is_coulomb()) {
-    if (oscillates)
+    if (oscillates(config, c))
       return {Kernel::full,
               "friction is stronger at rest and the vertical has a period of its own"};
     return {Kernel::coupled, "friction is stronger at rest"};
@@ -42,7 +58,7 @@ KernelChoice cheapest_exact_kernel(const StudyConfig& config) {
   if (c.period_s == 0.0) return {Kernel::tables, "one axis on a rigid building"};
   if (c.mass_ratio == 0.0 && !c.yields())
     return {Kernel::tables, "one axis on a linear building that the array does not move"};
-  if (oscillates)
+  if (oscillates(config, c))
     return {Kernel::full,
             "the vertical has a period of its own beside a building that yields or is coupled with "
             "the array"};
@@ -51,31 +67,28 @@ KernelChoice cheapest_exact_kernel(const StudyConfig& config) {
 }
 
 double history_us(Kernel kernel, const StudyConfig& config) {
-  const Case c = unusual_case(config);
-  switch (kernel) {
-    case Kernel::tables:
-      return 7.0;
-    case Kernel::coupled:
-    case Kernel::full:
-      if (!config.building.is_one_mass() && c.mass_ratio > 0.0) return 7700.0;
-      return config.base_shear || c.yields() || !c.law.is_coulomb() ? 2000.0 : 200.0;
-  }
-  return 0.0;
+  const Case c = case_of(config, Values::unusual);
+  if (kernel == Kernel::tables) return 7.0;
+  const bool coupled_modes = !config.building.is_one_mass() && c.mass_ratio > 0.0;
+  if (function_of(kernel, config, c) == "peak_slip_two_axes") return coupled_modes ? 350.0 : 200.0;
+  return coupled_modes ? 7700.0 : 2000.0;
 }
 
-std::string describe(Kernel kernel, bool base_shear) {
+std::string describe(Kernel kernel, const StudyConfig& config) {
+  const std::string usual = function_of(kernel, config, case_of(config, Values::usual)),
+                    unusual = function_of(kernel, config, case_of(config, Values::unusual));
+  const std::string functions = usual == unusual ? usual : usual + " or " + unusual;
   switch (kernel) {
     case Kernel::tables:
-      return "one axis over tables of the roof's motion: exact events (peak_slip)";
+      return "one axis over tables of the roof's motion: exact events (" + functions + ")";
     case Kernel::coupled:
-      return "one axis, coupled building and array: error-controlled (peak_slip_two_axes), or "
-             "exact "
-             "events where the building yields or friction is stronger at rest (slide_coupled)";
+      return "one axis, coupled building and array: " +
+             std::string(unusual == "slide_coupled" ? "exact events (" : "error-controlled (") +
+             functions + ")";
     case Kernel::full:
-      return std::string("full model: two axes, coupled, error-controlled (") +
-             (base_shear ? "slide_on_building, which gives base shear)" : "peak_slip_two_axes)");
+      break;
   }
-  return "";
+  return "full model: two axes, coupled, error-controlled (" + functions + ")";
 }
 
 }  // namespace glissade

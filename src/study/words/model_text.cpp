@@ -109,7 +109,7 @@ std::string modes_text(const Plan& plan) {
 
 ModelText model_text(const Plan& plan) {
   const Quantities& q = plan.config.quantities;
-  return {describe(plan.kernel.kernel, plan.config.base_shear) + "; because " + plan.kernel.reason,
+  return {describe(plan.kernel.kernel, plan.config) + "; because " + plan.kernel.reason,
           modes_text(plan),
           building_text(q),
           friction_text(q),

@@ -84,15 +84,7 @@ std::vector<std::string> notes_on_building(const Plan& plan) {
     if (text.empty()) return {};
     return {std::move(text)};
   }
-  std::vector<std::string> notes = {"the building is " + modes_text(plan) +
-                                    "; modes that are left out move with the ground"};
-  if (std::ranges::any_of(plan.config.quantities.at("building", "mass_ratio").values,
-                          [](double ratio) { return ratio > 0.0; }) ||
-      plan.config.quantities.at("building", "mass_ratio").is_drawn())
-    notes.emplace_back(
-        "several modes coupled with the array's mass run by the scalar scheme, some 8 ms a "
-        "history; mass_ratio = 0 is 40 times faster and gave larger displacements (study 34)");
-  return notes;
+  return {"the building is " + modes_text(plan) + "; modes that are left out move with the ground"};
 }
 
 /// Quantities that are not as usual, and have no effect without another one.

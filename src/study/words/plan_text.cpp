@@ -60,8 +60,8 @@ std::string to_string(const Plan& plan) {
       "cases       {} combinations x {} samples x {} orientation{}, of which {} differ\n"
       "orientation {}\n{}",
       c.name, plan.hash, suites_text(plan), intensity_label(c.intensity), levels.size(),
-      levels.front(), levels.back(), describe(plan.kernel.kernel, plan.config.base_shear),
-      plan.kernel.reason, plan.cases.combinations(), plan.cases.samples, plan.cases.orientations,
+      levels.front(), levels.back(), describe(plan.kernel.kernel, plan.config), plan.kernel.reason,
+      plan.cases.combinations(), plan.cases.samples, plan.cases.orientations,
       plan.cases.orientations == 1 ? "" : "s", plan.order.size(), describe(c.orientation.choice),
       cases_text(plan));
   if (c.draws()) {

@@ -89,6 +89,25 @@ TEST(cheapest_exact_kernel, gives_friction_that_depends_on_speed_to_the_full_mod
   EXPECT_EQ(kernel_of(config), Kernel::tables);
 }
 
+TEST(kernel_text, names_the_functions_that_compute_the_histories) {
+  const auto text = [](const StudyConfig& config) { return describe(kernel_of(config), config); };
+  StudyConfig config = two_axis_config();
+  EXPECT_THAT(text(config), testing::EndsWith("(peak_slip_two_axes)"));
+  config.building.kind = BuildingModel::Kind::cantilever;  // several modes, coupled
+  EXPECT_THAT(text(config), testing::EndsWith("(peak_slip_two_axes)"));
+  EXPECT_LT(history_us(Kernel::full, config), 500.0);
+  config.base_shear = true;
+  EXPECT_THAT(text(config), testing::EndsWith("(slide_on_building)"));
+  config = two_axis_config();
+  config.quantities.at("friction", "static_over_sliding") = fixed(1.2);
+  EXPECT_THAT(text(config), testing::EndsWith("(slide_on_building)"));
+  config.quantities.at("friction", "static_over_sliding").values = {1.0, 1.2};
+  EXPECT_THAT(text(config), testing::EndsWith("(peak_slip_two_axes or slide_on_building)"));
+  config.model.axes = SlidingAxes::one;
+  config.quantities.at("building", "mass_ratio") = fixed(0.1);
+  EXPECT_THAT(text(config), testing::HasSubstr("(peak_slip_two_axes or slide_coupled)"));
+}
+
 TEST(execute_coupled, gives_the_slip_of_the_readable_scheme) {
   StudyConfig config = tiny_config();
   config.quantities.at("building", "mass_ratio") = drawn(Uniform{0.02, 0.3});

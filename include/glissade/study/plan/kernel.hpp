@@ -29,7 +29,7 @@ KernelChoice cheapest_exact_kernel(const StudyConfig& config);
 /// Microseconds of a history of 8,000 samples, from `bench`: what units of work are cut by.
 double history_us(Kernel kernel, const StudyConfig& config);
 
-/// What the kernel is: "one axis, coupled: ..."
-std::string describe(Kernel kernel, bool base_shear);
+/// What the kernel is, with the functions that compute the histories: "one axis, coupled: ..."
+std::string describe(Kernel kernel, const StudyConfig& config);
 
 }  // namespace glissade
