@@ -49,7 +49,8 @@ TEST(OutputRule, is_the_same_of_all_commands) {
   }
   EXPECT_THAT(writing, testing::UnorderedElementsAre(
                            "init", "run", "merge", "clearance", "report", "friction", "slide",
-                           "suite show", "suite spectra", "suite design", "suite select"));
+                           "suite show", "suite spectra", "suite scale", "suite design",
+                           "suite import", "suite select"));
 }
 
 TEST(OutputRule, a_file_is_written_over_with_overwrite_only) {
