@@ -6,20 +6,20 @@
 namespace glissade {
 namespace {
 
-enum class Values { usual, unusual };
+enum class CaseValues { usual, unusual };
 
 /// A value that is the usual one, or one that is not, where the quantity has any.
-double value_of(const Quantity& quantity, double usual, Values wanted) {
+double value_of(const Quantity& quantity, double usual, CaseValues wanted) {
   std::vector<double> values = quantity.values;
   if (quantity.drawn) values = {support(*quantity.drawn).max, support(*quantity.drawn).min};
   const auto found = std::ranges::find_if(
-      values, [&](double value) { return (value == usual) == (wanted == Values::usual); });
+      values, [&](double value) { return (value == usual) == (wanted == CaseValues::usual); });
   return found == values.end() ? values.front() : *found;
 }
 
 /// A case in which all is as usual that is so in any case of the study, or nothing that is not so
 /// in every case.
-Case case_of(const StudyConfig& config, Values wanted) {
+Case case_of(const StudyConfig& config, CaseValues wanted) {
   Case c;
   for (std::size_t i = 0; i < parameters().size(); ++i) {
     double& value = parameters()[i].of(c);
@@ -46,7 +46,7 @@ std::string function_of(Kernel kernel, const StudyConfig& config, const Case& c)
 }  // namespace
 
 KernelChoice cheapest_exact_kernel(const StudyConfig& config) {
-  const Case c = case_of(config, Values::unusual);
+  const Case c = case_of(config, CaseValues::unusual);
   if (config.two_axes()) return {Kernel::full, "both horizontal components act at once"};
   if (c.law.depends_on_speed()) return {Kernel::full, "friction depends on speed"};
   if (!c.law.is_coulomb()) {
@@ -67,7 +67,7 @@ KernelChoice cheapest_exact_kernel(const StudyConfig& config) {
 }
 
 double history_us(Kernel kernel, const StudyConfig& config) {
-  const Case c = case_of(config, Values::unusual);
+  const Case c = case_of(config, CaseValues::unusual);
   if (kernel == Kernel::tables) return 7.0;
   const bool coupled_modes = !config.building.is_one_mass() && c.mass_ratio > 0.0;
   if (function_of(kernel, config, c) == "peak_slip_two_axes") return coupled_modes ? 350.0 : 200.0;
@@ -75,8 +75,8 @@ double history_us(Kernel kernel, const StudyConfig& config) {
 }
 
 std::string describe(Kernel kernel, const StudyConfig& config) {
-  const std::string usual = function_of(kernel, config, case_of(config, Values::usual)),
-                    unusual = function_of(kernel, config, case_of(config, Values::unusual));
+  const std::string usual = function_of(kernel, config, case_of(config, CaseValues::usual)),
+                    unusual = function_of(kernel, config, case_of(config, CaseValues::unusual));
   const std::string functions = usual == unusual ? usual : usual + " or " + unusual;
   switch (kernel) {
     case Kernel::tables:
