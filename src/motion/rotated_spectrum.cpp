@@ -15,12 +15,12 @@
 namespace glissade {
 namespace {
 
-struct PlanPoint {
+struct OrbitPoint {
   double x, y;
 };
-using PlanPath = std::vector<PlanPoint>;
+using PlanPath = std::vector<OrbitPoint>;
 
-double cross(const PlanPoint& a, const PlanPoint& b, const PlanPoint& c) {
+double cross(const OrbitPoint& a, const OrbitPoint& b, const OrbitPoint& c) {
   return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
 }
 
@@ -64,7 +64,7 @@ PlanPath path_of(const Motion& motion, double period_s, double damping_ratio) {
   return path;
 }
 
-double square(const PlanPoint& p) { return p.x * p.x + p.y * p.y; }
+double square(const OrbitPoint& p) { return p.x * p.x + p.y * p.y; }
 
 /// Without points that are inside a circle within the hull of all. The support changes with the
 /// direction by the largest radius a radian at most; that of some of the points is below it.
@@ -82,14 +82,14 @@ void drop_inner(PlanPath& path, double largest_radius) {
   }
   inner -= largest_radius * 0.5 * std::numbers::pi / directions;
   if (inner > 0.0)
-    std::erase_if(path, [&](const PlanPoint& p) { return square(p) < inner * inner; });
+    std::erase_if(path, [&](const OrbitPoint& p) { return square(p) < inner * inner; });
 }
 
 /// The convex hull of the points and their opposites, counter-clockwise (Andrew 1979).
 PlanPath hull_of(PlanPath points) {
   const std::size_t own = points.size();
   for (std::size_t i = 0; i < own; ++i) points.push_back({-points[i].x, -points[i].y});
-  std::ranges::sort(points, {}, [](const PlanPoint& p) { return std::pair(p.x, p.y); });
+  std::ranges::sort(points, {}, [](const OrbitPoint& p) { return std::pair(p.x, p.y); });
   PlanPath hull;
   const auto chain = [&hull](auto begin, auto end) {
     const std::size_t base = hull.size();
@@ -113,7 +113,7 @@ struct SupportArc {
 std::vector<SupportArc> arcs_of(const PlanPath& hull) {
   const std::size_t n = hull.size();
   const auto normal = [&](std::size_t i) {
-    const PlanPoint &from = hull[i % n], &to = hull[(i + 1) % n];
+    const OrbitPoint &from = hull[i % n], &to = hull[(i + 1) % n];
     return std::atan2(-(to.x - from.x), to.y - from.y);
   };
   std::vector<SupportArc> arcs;
@@ -162,7 +162,7 @@ RotatedSpectrum rotated_spectrum(const Motion& motion, std::span<const double> p
     GLISSADE_EXPECTS(periods_s[i] >= 0.0);
     PlanPath path = path_of(motion, periods_s[i], damping_ratio);
     double largest = 0.0;
-    for (const PlanPoint& p : path) largest = std::max(largest, square(p));
+    for (const OrbitPoint& p : path) largest = std::max(largest, square(p));
     largest = std::sqrt(largest);
     drop_inner(path, largest);
     spectrum.rotd100_mps2[i] = largest;
