@@ -624,7 +624,7 @@ std::string words_of(const fs::path& pdf) {
   std::istringstream words(child.wait().out);
   std::string text, word;
   while (words >> word) text += word + " ";
-  return std::regex_replace(text, std::regex(R"(\(commit [^)]*\))"), "(commit)");
+  return std::regex_replace(text, std::regex(R"(\(commit [^)]*\)|study [0-9a-f]{16})"), "");
 }
 
 // Made again by: glissade clearance studies/permit_project.toml --out DIR, which leaves
