@@ -138,6 +138,12 @@ std::vector<Mode> shear_building_modes(std::span<const double> masses,
   return modes;
 }
 
+std::vector<Mode> with_first_period(std::vector<Mode> modes, double period_s) {
+  const double first_s = modes.front().period_s;
+  for (Mode& mode : modes) mode.period_s = period_s * (mode.period_s / first_s);
+  return modes;
+}
+
 std::vector<Mode> governing_modes(std::span<const Mode> modes) {
   std::vector<Mode> governing;
   double mass = 0.0;

@@ -46,15 +46,6 @@ struct BuildingOptions {
   bool json = false;
 };
 
-/// So many equal storeys, with the first period stated.
-std::vector<Mode> equal_storeys(double period_s, std::size_t storeys) {
-  const std::vector<double> ones(storeys, 1.0);
-  std::vector<Mode> modes = shear_building_modes(ones, ones);
-  const double scale = period_s / modes.front().period_s;
-  for (Mode& mode : modes) mode.period_s *= scale;
-  return modes;
-}
-
 std::vector<Mode> modes_of(const BuildingOptions& o) {
   if (!o.modes.empty()) {
     ModeFileOptions file{.axis = {}, .roof_shape = o.roof_shape};
@@ -69,7 +60,10 @@ std::vector<Mode> modes_of(const BuildingOptions& o) {
          "give --period-s with --alpha or --storeys, or --masses and --stiffnesses, or "
          "--modes FILE.csv",
          ""});
-  if (o.storeys) return equal_storeys(o.period_s, *o.storeys);
+  if (o.storeys) {
+    const std::vector<double> equal(*o.storeys, 1.0);
+    return with_first_period(shear_building_modes(equal, equal), o.period_s);
+  }
   if (!o.alpha)
     throw InputError({"--period-s", "a period alone is no building of several storeys",
                       "give --storeys, or --alpha: 0 to 2 walls, 5 to 10 walls with frames, 20 to "

@@ -91,6 +91,9 @@ std::vector<Mode> cantilever_modes(double period_s, double alpha, std::size_t co
 std::vector<Mode> shear_building_modes(std::span<const double> masses,
                                        std::span<const double> stiffnesses);
 
+/// The same building, stiffer or softer: its first mode has this period.
+std::vector<Mode> with_first_period(std::vector<Mode> modes, double period_s);
+
 /// Modes after the first of shorter periods are not governing.
 inline constexpr double shortest_governing_period_s = 0.05;
 

@@ -6,6 +6,10 @@
 
 namespace glissade {
 
+/// The most that is believed of a header or of a report of a search.
+inline constexpr double largest_magnitude = 10.0, longest_distance_km = 20'000.0,
+                        fastest_vs30_mps = 10'000.0;
+
 /// What a header states of a record besides its samples; what it does not is empty or 0.
 struct RecordHeader {
   std::string event, station;

@@ -15,6 +15,11 @@ namespace glissade {
 /// fraction of the target. Provisions of ASCE 7 are recalled: verify them against the standard.
 enum class ScalingRule { walters_2012, asce7_10, asce7_16, asce7_22, single_period };
 
+/// ASCE 7-16 and 7-22, 16.2: RotD100, 0.9 of the target, eleven motions.
+inline bool is_of_16_2(ScalingRule rule) {
+  return rule == ScalingRule::asce7_16 || rule == ScalingRule::asce7_22;
+}
+
 /// Periods of the building: of the first modes along its two axes.
 struct FirstPeriods {
   double shortest_s = 0.0, longest_s = 0.0;

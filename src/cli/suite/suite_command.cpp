@@ -166,8 +166,7 @@ ScalingRule rule_of(const SuiteOptions& o) {
 
 /// Throws InputError where options are given that the rule does not have.
 FirstPeriods building_of(const SuiteOptions& o, ScalingRule rule) {
-  const bool of_16_2 = rule == ScalingRule::asce7_16 || rule == ScalingRule::asce7_22;
-  if (o.to_one_and_a_half && !of_16_2)
+  if (o.to_one_and_a_half && !is_of_16_2(rule))
     throw InputError({"--to-1.5t", "is of asce7_16 and asce7_22 (16.2.3.1)",
                       "leave it out: rules are not mixed", ""});
   if (!o.periods_s.empty() && rule == ScalingRule::walters_2012)
@@ -226,7 +225,8 @@ void scale(const SuiteOptions& o) {
       {{"id", "", "id", ColumnKind::text}, {"scale", "", "scale"}},
       {},
       {fmt::format("average over the target from {:.3g} to {:.3g} s: lowest {:.4g} at {:.3g} "
-                   "s, mean {:.4g}; largest factor {:.3f}",
+                   "s, mean {:.4g}; largest factor {:.3f}; factors to "
+                   "four decimals, in the suite of --out with all digits",
                    scaling.range.from_s, scaling.range.to_s, scaling.lowest.ratio,
                    scaling.lowest.period_s, scaling.mean_ratio, scaling.largest_factor)}};
   for (const std::string& warning : scaling.warnings) table.notes.push_back("WARNING: " + warning);

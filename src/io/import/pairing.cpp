@@ -186,7 +186,6 @@ void sort_pieces(Pieces& pieces) {
 double within(double value, double most) { return value > 0.0 && value <= most ? value : 0.0; }
 
 void take_header(ImportedRecord& record, const RecordHeader& header) {
-  constexpr double largest_magnitude = 10.0, longest_km = 20'000.0, fastest_mps = 10'000.0;
   if (record.event.empty()) record.event = header.event;
   if (record.station.empty()) record.station = header.station;
   if (record.magnitude == 0.0) {
@@ -194,10 +193,10 @@ void take_header(ImportedRecord& record, const RecordHeader& header) {
     record.magnitude_kind = record.magnitude > 0.0 ? header.magnitude_kind : "";
   }
   if (record.distance_km == 0.0) {
-    record.distance_km = within(header.epicentral_km, longest_km);
+    record.distance_km = within(header.epicentral_km, longest_distance_km);
     record.distance_kind = record.distance_km > 0.0 ? "epicentral" : "";
   }
-  if (record.vs30_mps == 0.0) record.vs30_mps = within(header.vs30_mps, fastest_mps);
+  if (record.vs30_mps == 0.0) record.vs30_mps = within(header.vs30_mps, fastest_vs30_mps);
 }
 
 void take_row(ImportedRecord& record, const ReportRow& row) {

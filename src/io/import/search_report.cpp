@@ -9,6 +9,7 @@
 #include <cmath>
 
 #include "glissade/core/error.hpp"
+#include "glissade/io/record_header.hpp"
 #include "import/component_name.hpp"
 #include "text/scan.hpp"
 
@@ -57,8 +58,29 @@ class ReportColumns {
   std::vector<std::string> names_;
 };
 
-constexpr double largest_magnitude = 10.0, longest_km = 20'000.0, fastest_mps = 10'000.0,
-                 largest_scale = 1000.0;
+constexpr double largest_scale = 1000.0;
+
+/// A column, and of which kind its numbers are.
+struct KindColumn {
+  const char *name, *kind;
+};
+using KindColumns = std::initializer_list<KindColumn>;
+
+/// Of the first column with a number.
+void take_magnitude(ReportRow& row, const ReportColumns& columns,
+                    const std::vector<std::string>& cells, KindColumns of) {
+  for (auto at = of.begin(); at != of.end() && row.magnitude == 0.0; ++at) {
+    row.magnitude = columns.number(cells, at->name, largest_magnitude);
+    if (row.magnitude > 0.0) row.magnitude_kind = at->kind;
+  }
+}
+void take_distance(ReportRow& row, const ReportColumns& columns,
+                   const std::vector<std::string>& cells, KindColumns of) {
+  for (auto at = of.begin(); at != of.end() && row.distance_km == 0.0; ++at) {
+    row.distance_km = columns.number(cells, at->name, longest_distance_km);
+    if (row.distance_km > 0.0) row.distance_kind = at->kind;
+  }
+}
 
 bool is_peer_heading(const ReportColumns& columns) {
   return columns.have("Record Sequence Number") && columns.have("Horizontal-1 Acc. Filename");
@@ -84,15 +106,9 @@ ReportRow peer_row(const ReportColumns& columns, const std::vector<std::string>&
   row.event = plain_line(with_commas(columns.text(cells, "Earthquake Name")) + " " +
                          columns.text(cells, "Year"));
   row.station = plain_line(with_commas(columns.text(cells, "Station Name")));
-  row.magnitude = columns.number(cells, "Magnitude", largest_magnitude);
-  if (row.magnitude > 0.0) row.magnitude_kind = "Mw";
-  for (const auto& [column, kind] :
-       {std::pair{"Rrup (km)", "rupture"}, {"Rjb (km)", "joyner_boore"}}) {
-    row.distance_km = columns.number(cells, column, longest_km);
-    row.distance_kind = row.distance_km > 0.0 ? kind : "";
-    if (row.distance_km > 0.0) break;
-  }
-  row.vs30_mps = columns.number(cells, "Vs30 (m/sec)", fastest_mps);
+  take_magnitude(row, columns, cells, {{"Magnitude", "Mw"}});
+  take_distance(row, columns, cells, {{"Rrup (km)", "rupture"}, {"Rjb (km)", "joyner_boore"}});
+  row.vs30_mps = columns.number(cells, "Vs30 (m/sec)", fastest_vs30_mps);
   row.scale = columns.number(cells, "Scale Factor", largest_scale);
   row.files = {peer_file(columns.text(cells, "Horizontal-1 Acc. Filename")),
                peer_file(columns.text(cells, "Horizontal-2 Acc. Filename")),
@@ -104,19 +120,10 @@ ReportRow esm_row(const ReportColumns& columns, const std::vector<std::string>& 
   ReportRow row;
   row.event_id = columns.text(cells, "event_id");
   row.station = columns.text(cells, "network_code") + "." + columns.text(cells, "station_code");
-  for (const auto& [column, kind] : {std::pair{"Mw", "Mw"}, {"EMEC_Mw", "Mw"}, {"ML", "ML"}}) {
-    row.magnitude = columns.number(cells, column, largest_magnitude);
-    row.magnitude_kind = row.magnitude > 0.0 ? kind : "";
-    if (row.magnitude > 0.0) break;
-  }
-  for (const auto& [column, kind] : {std::pair{"rup_dist", "rupture"},
-                                     {"JB_dist", "joyner_boore"},
-                                     {"epi_dist", "epicentral"}}) {
-    row.distance_km = columns.number(cells, column, longest_km);
-    row.distance_kind = row.distance_km > 0.0 ? kind : "";
-    if (row.distance_km > 0.0) break;
-  }
-  row.vs30_mps = columns.number(cells, "vs30_m_sec", fastest_mps);
+  take_magnitude(row, columns, cells, {{"Mw", "Mw"}, {"EMEC_Mw", "Mw"}, {"ML", "ML"}});
+  take_distance(row, columns, cells,
+                {{"rup_dist", "rupture"}, {"JB_dist", "joyner_boore"}, {"epi_dist", "epicentral"}});
+  row.vs30_mps = columns.number(cells, "vs30_m_sec", fastest_vs30_mps);
   return row;
 }
 

@@ -98,10 +98,7 @@ std::vector<Mode> read_storeys(const TomlTable& building) {
                     "give one for each storey, from the ground up");
     return {{1.0}};
   }
-  std::vector<Mode> modes = shear_building_modes(*masses, *stiffnesses);
-  const double first_s = modes.front().period_s;
-  for (Mode& mode : modes) mode.period_s /= first_s;
-  return modes;
+  return with_first_period(shear_building_modes(*masses, *stiffnesses), 1.0);
 }
 
 /// What the building is: one mass, if none of these keys is given.

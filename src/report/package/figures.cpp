@@ -54,19 +54,18 @@ Figure demand_figure(const CalculationPackage& package) {
   }
   panel.y = length_axis("Displacement in plan", 1.2 * top_m);
   add_side_labels(panel, std::move(labels), {side, 0.34, 0.11});
-  return {
-      "demand",
-      "Displacement at DBE over the building's period",
-      fmt::format(
-          "friction {:.3g}; largest over slopes, mass ratios, with and without vertical motion; "
-          "{} records{}",
-          package.project.friction.design(), package.demand.records.size(),
-          is_above
-              ? "; governing displacement above the figure: " + length_in_both(design.governing_m)
-              : ""),
-      "Largest: of any orientation. Mean and 95th percentile: all records have the orientation "
-      "that governs at the period.",
-      {panel}};
+  return {"demand",
+          "Displacement at DBE over the building's period",
+          fmt::format("friction {:.3g}; largest over slope, {}, with and without vertical motion; "
+                      "{} records{}",
+                      package.project.friction.design(), varied_of_building(package.project),
+                      package.demand.records.size(),
+                      is_above ? "; governing displacement above the figure: " +
+                                     length_in_both(design.governing_m)
+                               : ""),
+          "Largest: of any orientation. Mean and 95th percentile: all records have the orientation "
+          "that governs at the period.",
+          {panel}};
 }
 
 /// To the periods that the suite is scaled for, with those of the building.

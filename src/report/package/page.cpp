@@ -14,14 +14,14 @@
 #include "glissade/report/package.hpp"
 #include "package/figures.hpp"
 #include "package/free_body.hpp"
-#include "package/pdf.hpp"
-#include "package/printable.hpp"
+#include "package/print/pdf.hpp"
+#include "package/print/printable.hpp"
+#include "package/print/symbols.hpp"
+#include "package/print/workbook.hpp"
 #include "package/sections.hpp"
 #include "package/sketch.hpp"
-#include "package/symbols.hpp"
 #include "package/tables.hpp"
 #include "package/units.hpp"
-#include "package/workbook.hpp"
 
 namespace glissade {
 namespace {
@@ -305,9 +305,9 @@ Html result_html(const CalculationPackage& package, const Html& figure) {
              "The displacement is computed for all combinations of {}slope and orientation of the "
              "records, with and without vertical motion. The governing case is that with the "
              "largest mean over the records.",
-             package.project.of_roof ? ""
-             : of_modes              ? "building period, \u03b1_0, "
-                                     : "building period, mass ratio, ")) +
+             package.project.of_roof
+                 ? ""
+                 : fmt::format("building period, {}, ", varied_of_building(package.project)))) +
          page_table(record_displacements_table(package)) + page_table(demand_table(package)) +
          figure + governing_html(package);
 }

@@ -57,8 +57,10 @@ std::string demand_lines(const CalculationPackage& package) {
   const bool of_roof = package.project.of_roof;
   std::string text = fmt::format(
       "\nDisplacement at DBE, governing orientation{}\n{:>10}{:>12}{:>12}{:>12}{:>12}\n",
-      of_roof ? " and slope" : ", slope and mass ratio", of_roof ? "" : "period, s", "mean", "84th",
-      "95th", "largest");
+      of_roof ? " and slope"
+              : std::string(", slope and ") +
+                    (package.project.building.alpha.empty() ? "mass ratio" : "alpha"),
+      of_roof ? "" : "period, s", "mean", "84th", "95th", "largest");
   for (const PeriodDemand& d : package.design.demand) {
     text += fmt::format("{:>10}{:>12}{:>12}{:>12}{:>12}\n",
                         of_roof ? "" : fmt::format("{:.3g}", d.period_s), length_in(d.mean_m),

@@ -145,13 +145,19 @@ std::string verdict_sentence(const CalculationPackage& package) {
                "are open.";
 }
 
+const char* varied_of_building(const Project& project) {
+  return project.building.alpha.empty() ? "mass ratio" : "\u03b1_0";
+}
+
 Table demand_table(const CalculationPackage& package) {
   Table table{
       "demand",
-      fmt::format("Displacement demand at DBE, friction {:.3g}: the largest over the roof's "
-                  "slopes,{} with and without vertical motion, over {} records",
-                  package.project.friction.design(), package.project.of_roof ? "" : " mass ratios,",
-                  package.demand.records.size()),
+      fmt::format(
+          "Displacement demand at DBE, friction {:.3g}: the largest over "
+          "slope,{} with and without vertical motion, over {} records",
+          package.project.friction.design(),
+          package.project.of_roof ? "" : fmt::format(" {},", varied_of_building(package.project)),
+          package.demand.records.size()),
       {text_column("period", "Period"), text_column("mean", "Mean"),
        text_column("p84", "84th percentile"), text_column("p95", "95th percentile"),
        text_column("largest", "Largest record, any orientation"),
@@ -352,7 +358,8 @@ Table exceedance_table(const CalculationPackage& package) {
       "within the project's ranges, and the orientation; the slope is the "
       "steepest: {} samples for each of {} records. The interval is from resampling whole records; "
       "it is never narrower than that of a binomial with one trial for each record.",
-      project.of_roof ? "Friction is" : "Friction and mass ratio are",
+      project.of_roof ? "Friction is"
+                      : fmt::format("Friction and {} are", varied_of_building(project)),
       package.probability.cases.samples, package.probability.records.size()));
   return project.of_roof ? table.without("period") : table;
 }

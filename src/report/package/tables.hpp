@@ -70,5 +70,7 @@ inline constexpr auto percentile_note =
     "A percentile is below the mean where few records slide far.";
 /// "1.19 degrees", "1.19 to 2.39 degrees".
 std::string range_text(const std::vector<double>& values, const char* unit);
+/// What is varied of the building beside its period: "mass ratio", or "α_0" of modes.
+const char* varied_of_building(const Project& project);
 
 }  // namespace glissade

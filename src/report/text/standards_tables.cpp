@@ -64,9 +64,10 @@ Table separations_table(const std::vector<StandardSeparations>& standards) {
     for (const Separation& s : separations) {
       table.add({standard_name(standard), s.what, s.factor, s.value_m, mark(s.provenance)});
       if (!s.basis.empty())
-        table.notes.push_back(standard_name(standard) + ", " + s.what + ": " + s.basis + ".");
+        table.notes.push_back(standard_name(standard) + ", " + s.what + ": " + s.basis +
+                              " (recalled: verify).");
     }
-    table.notes.push_back(qualifying_parapet(standard) + ".");
+    table.notes.push_back(qualifying_parapet(standard) + " (recalled: verify).");
   }
   table.notes.emplace_back(verify_note);
   return table;

@@ -34,13 +34,18 @@ bool oscillates(const StudyConfig& config, const Case& c) {
 }
 
 /// The function that computes the histories of a case.
-std::string function_of(Kernel kernel, const StudyConfig& config, const Case& c) {
-  if (kernel == Kernel::tables) return "peak_slip";
+enum class KernelFunction { peak_slip, slide_coupled, peak_slip_two_axes, slide_on_building };
+constexpr const char* function_names[] = {"peak_slip", "slide_coupled", "peak_slip_two_axes",
+                                          "slide_on_building"};
+
+KernelFunction function_of(Kernel kernel, const StudyConfig& config, const Case& c) {
+  if (kernel == Kernel::tables) return KernelFunction::peak_slip;
   const bool elastic = !c.yields() && c.law.is_coulomb();
   if (kernel == Kernel::coupled && !elastic && config.building.is_one_mass())
-    return "slide_coupled";
-  return elastic && !config.base_shear && !oscillates(config, c) ? "peak_slip_two_axes"
-                                                                 : "slide_on_building";
+    return KernelFunction::slide_coupled;
+  return elastic && !config.base_shear && !oscillates(config, c)
+             ? KernelFunction::peak_slip_two_axes
+             : KernelFunction::slide_on_building;
 }
 
 }  // namespace
@@ -70,20 +75,26 @@ double history_us(Kernel kernel, const StudyConfig& config) {
   const Case c = case_of(config, CaseValues::unusual);
   if (kernel == Kernel::tables) return 7.0;
   const bool coupled_modes = !config.building.is_one_mass() && c.mass_ratio > 0.0;
-  if (function_of(kernel, config, c) == "peak_slip_two_axes") return coupled_modes ? 350.0 : 200.0;
+  if (function_of(kernel, config, c) == KernelFunction::peak_slip_two_axes)
+    return coupled_modes ? 350.0 : 200.0;
   return coupled_modes ? 7700.0 : 2000.0;
 }
 
 std::string describe(Kernel kernel, const StudyConfig& config) {
-  const std::string usual = function_of(kernel, config, case_of(config, CaseValues::usual)),
-                    unusual = function_of(kernel, config, case_of(config, CaseValues::unusual));
-  const std::string functions = usual == unusual ? usual : usual + " or " + unusual;
+  const KernelFunction usual = function_of(kernel, config, case_of(config, CaseValues::usual)),
+                       unusual = function_of(kernel, config, case_of(config, CaseValues::unusual));
+  const auto name = [](KernelFunction f) {
+    return std::string(function_names[static_cast<std::size_t>(f)]);
+  };
+  const std::string functions =
+      usual == unusual ? name(usual) : name(usual) + " or " + name(unusual);
   switch (kernel) {
     case Kernel::tables:
       return "one axis over tables of the roof's motion: exact events (" + functions + ")";
     case Kernel::coupled:
       return "one axis, coupled building and array: " +
-             std::string(unusual == "slide_coupled" ? "exact events (" : "error-controlled (") +
+             std::string(unusual == KernelFunction::slide_coupled ? "exact events ("
+                                                                  : "error-controlled (") +
              functions + ")";
     case Kernel::full:
       break;

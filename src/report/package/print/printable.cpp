@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "package/printable.hpp"
+#include "package/print/printable.hpp"
 
 #include <string_view>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "package/workbook.hpp"
+#include "package/print/workbook.hpp"
 
 #ifdef GLISSADE_WORKBOOK
 
@@ -30,6 +30,10 @@ std::optional<WrittenQuantity> quantity_in(const std::string& text) {
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), found.value);
   if (error != std::errc() || !std::isfinite(found.value)) return std::nullopt;
   const std::string number(text.data(), end);
+  constexpr std::size_t most_digits = 15;  // of a number of Excel
+  const bool is_code =
+      number.size() > most_digits || (number.size() > 1 && number[0] == '0' && number[1] != '.');
+  if (is_code) return std::nullopt;  // "0012345", of a licence
   std::string unit(end, text.data() + text.size());
   unit = unit.substr(0, unit.find(" ("));
   const bool is_unit = unit.empty() || (unit[0] == ' ' && unit.size() > 1 &&

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "package/pdf.hpp"
+#include "package/print/pdf.hpp"
 
 #include <fcntl.h>
 #include <spawn.h>

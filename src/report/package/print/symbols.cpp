@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "package/symbols.hpp"
+#include "package/print/symbols.hpp"
 
 #include <array>
 #include <cstddef>

@@ -31,10 +31,6 @@ constexpr std::array<ScalingRuleText, 5> texts{
      {"single_period", "single period", "no clause of ASCE 7",
       "RotD50 of every motion equal to the target at one period"}}};
 
-bool is_of_16_2(ScalingRule rule) {
-  return rule == ScalingRule::asce7_16 || rule == ScalingRule::asce7_22;
-}
-
 void check_building(ScalingRule rule, const FirstPeriods& building) {
   const auto is_period = [](double t_s) { return std::isfinite(t_s) && t_s > 0.0; };
   if (is_period(building.shortest_s) && is_period(building.longest_s) &&

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "project/project_friction.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "glissade/core/error.hpp"
+#include "glissade/io/pull_test_file.hpp"
+#include "glissade/io/sha256.hpp"
+#include "glissade/sampling/friction_statistics.hpp"
+#include "project/project_keys.hpp"
+#include "study/quantity_table.hpp"
+
+namespace glissade {
+namespace {
+
+namespace fs = std::filesystem;
+
+double design_of(const DirectionFriction& d) { return d.sliding.mean_minus_2_std; }
+
+/// In the direction of the project, or the one with the lowest design value, as the array slides
+/// in all; null where there is none, which is reported.
+const DirectionFriction* tested_friction(const TomlTable& table, const PullTestSummary& summary) {
+  const auto& directions = summary.directions;
+  if (!table.has("direction")) return &*std::ranges::min_element(directions, {}, design_of);
+  const std::string name = table.text("direction").value_or("");
+  if (const DirectionFriction* found = find_direction(summary, name)) return found;
+  std::string known;
+  for (const DirectionFriction& d : directions) known += (known.empty() ? "" : ", ") + d.direction;
+  table.report("direction", "the pull tests do not have the direction given",
+               "give friction.direction as one of: " + known);
+  return nullptr;
+}
+
+void take_tests(const TomlTable& table, const fs::path& folder, ProjectFriction& friction) {
+  const std::string name = table.text("file").value_or("");
+  for (const char* key : {"mu", "source", "tests"}) {
+    if (table.has(key))
+      table.report(key, fmt::format("friction.file and friction.{} are both given", key),
+                   "give the file of pull tests, or mu and source");
+  }
+  try {
+    const PullTestResults results = read_pull_test_results(folder / name, SlidingRule{});
+    const DirectionFriction* found = tested_friction(table, results.summary);
+    if (found == nullptr) return;
+    const MuStatistics& statistics = found->sliding;
+    friction.tested = results.summary.directions;
+    friction.traces = results.summary.tests;
+    friction.direction = found->direction;
+    if (statistics.tests < 2) {
+      table.report("file", "one pull test gives no standard deviation", "test more");
+      return;
+    }
+    friction.tests = statistics.tests;
+    friction.mean = statistics.mean;
+    friction.std = statistics.std;
+    for (const DirectionFriction& d : friction.tested) {
+      if (d.sliding.tests < 2 || d.sliding.lower_bound_95 >= friction.lower_bound.value_or(2.0))
+        continue;
+      friction.lower_bound = d.sliding.lower_bound_95;
+      friction.bound_direction = d.direction;
+    }
+    friction.source = fmt::format("{} pull tests, direction {}, {} (SHA-256 {})", statistics.tests,
+                                  found->direction, name, sha256_of_file(folder / name));
+  } catch (const InputError& error) {
+    table.report("file", error);
+    table.ignore_unknown();  // its direction was not looked for
+  }
+}
+
+}  // namespace
+
+ProjectFriction read_project_friction(const TomlTable& table, const fs::path& folder) {
+  ProjectFriction friction;
+  friction.laboratory = table.text("laboratory").value_or("");
+  friction.tested_on = table.text("tested_on").value_or("");
+  friction.test_standard = table.text("test_standard").value_or("");
+  friction.surface = table.text("surface").value_or("");
+  if (table.has("file")) {
+    take_tests(table, folder, friction);
+    return friction;
+  }
+  if (!table.has("mu")) return friction;
+  const TomlTable mu = table.table("mu");
+  explain_cov(mu);
+  friction.mean = mu.required_number("mean", friction_rule);
+  friction.std = mu.required_number("std", not_negative);
+  friction.source = table.text("source").value_or("-");
+  if (const auto tests = table.whole("tests", 2, 1000)) {
+    friction.tests = *tests;
+    friction.lower_bound = lower_bound_95(friction.mean, friction.std, *tests);
+    friction.source += fmt::format(" ({} tests)", *tests);
+  }
+  if (friction.source.empty())
+    table.report("source", "friction.source is empty",
+                 "for example: source = " + project_example_of("friction", "source"));
+  return friction;
+}
+
+}  // namespace glissade
