@@ -96,6 +96,8 @@ struct TableRow {
 /// Of a building of several modes.
 struct ModeSeries {
   V x[2][most_modes][roof_order + 1], y[2][most_modes][roof_order + 1], phase[2][most_modes];
+
+  HWY_INLINE ModeSeries() {}  // an implicit one is not compiled for the target (GCC, Arm)
 };
 struct NoModes {};
 

@@ -15,13 +15,13 @@ namespace glissade {
 namespace {
 
 /// Waits for a program without output; true if it succeeds.
-bool succeeds(std::array<std::string, 6> words) {
+bool succeeds(std::array<std::string, 8> words) {
   posix_spawn_file_actions_t actions;
   posix_spawn_file_actions_init(&actions);
   posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
   for (const int output : {STDOUT_FILENO, STDERR_FILENO})
     posix_spawn_file_actions_addopen(&actions, output, "/dev/null", O_WRONLY, 0);
-  std::array<char*, 7> arguments{};
+  std::array<char*, 9> arguments{};
   for (std::size_t i = 0; i < words.size(); ++i) arguments[i] = words[i].data();
   pid_t child = 0;
   const int spawn_error =
@@ -43,8 +43,9 @@ bool print_page(const std::filesystem::path& html) {
   pdf.replace_extension(".pdf");
   partial.replace_extension(".pdf.partial");
   std::error_code error;
-  if (succeeds(
-          {"weasyprint", "--quiet", "--pdf-variant", "pdf/ua-1", page.string(), partial.string()}))
+  // Without a date in the fonts the same page gives the same bytes.
+  if (succeeds({"env", "SOURCE_DATE_EPOCH=0", "weasyprint", "--quiet", "--pdf-variant", "pdf/ua-1",
+                page.string(), partial.string()}))
     fs::rename(partial, pdf, error);
   else
     error = std::make_error_code(std::errc::io_error);
