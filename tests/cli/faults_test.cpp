@@ -10,6 +10,7 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/child.hpp"
+#include "cli/one_package.hpp"
 #include "cli/one_run.hpp"
 #include "cli/small_study.hpp"
 
@@ -19,7 +20,6 @@
 namespace glissade::test {
 namespace {
 
-namespace fs = std::filesystem;
 using testing::HasSubstr;
 
 /// Every file of a folder and below it, by its name there: but run.json, which has times, and what
@@ -131,13 +131,13 @@ class FaultWalk : public Faults {
                  std::to_string(child.status) + ", " + child.err);
     Tally& tally = tallies_[function];
     ++tally.failed;
-    // Without memory CLI11, nlohmann/json and HDF5 can end the process, after which as after kill -9
-    // nothing is lost; HDF5 can write lines of its own.
+    // Without memory CLI11, nlohmann/json and HDF5 can end the process, after which as after kill
+    // -9 nothing is lost; HDF5 can write lines of its own.
     const bool is_memory = function == "malloc", is_ended = is_memory && child.status > 2;
     const std::size_t message = child.err.find("glissade: ");
-    const bool is_reported =
-        child.status == 2 && (message == 0 || (is_memory && message != std::string::npos)) &&
-        child.err.find("internal error") == std::string::npos;
+    const bool is_reported = child.status == 2 &&
+                             (message == 0 || (is_memory && message != std::string::npos)) &&
+                             child.err.find("internal error") == std::string::npos;
     if (child.status == 0) {
       const std::string file = difference(undisturbed_, files_of(again_));
       ++(file.empty() ? tally.whole : tally.silent);
@@ -254,13 +254,9 @@ TEST_F(FaultWalk, a_run_to_which_any_call_fails_is_whole_or_reports_it_and_state
 }
 /// The studies are finished, and what is made of them is not.
 TEST_F(FaultWalk, a_calculation_package_to_which_any_call_fails_is_whole_or_reports_it) {
-  const std::string sources = GLISSADE_SOURCE_DIR;
-  std::string project = replaced(read_file(sources + "/studies/permit_project.toml"), "../suites",
-                                 sources + "/suites");
-  project = replaced(project, "\"data/", "\"" + sources + "/studies/data/") +
-            "\n[sampling]\nsamples = 8\n";
-  const Finished made =
-      run_program({"clearance", folder_->write("project.toml", project), "--out", again_.string()});
+  const WithoutWeasyprint path;
+  const Finished made = run_program(
+      {"clearance", folder_->write("project.toml", moved_project()), "--out", again_.string()});
   ASSERT_EQ(made.status, 0) << made.err;
   const fs::path kept = folder_->path("kept");
   fs::rename(again_, kept);

@@ -3,6 +3,7 @@
 
 #include <gmock/gmock.h>
 
+#include <cstdlib>
 #include <nlohmann/json.hpp>
 
 #include "cli/child.hpp"
@@ -21,6 +22,23 @@ inline std::string moved_project() {
                   "[suite]\nfile = \"../suites/",
                   "[sampling]\nsamples = 16\n[suite]\nfile = \"" GLISSADE_SOURCE_DIR "/suites/");
 }
+
+/// While it lives, commands find gnuplot alone: no package is printed, which takes seconds.
+class WithoutWeasyprint {
+ public:
+  WithoutWeasyprint() {
+    fs::create_directory(folder_.path("bin"));
+    fs::create_symlink("/usr/bin/gnuplot", folder_.path("bin/gnuplot"));
+    ::setenv("PATH", folder_.path("bin").c_str(), 1);
+  }
+  ~WithoutWeasyprint() { ::setenv("PATH", path_.c_str(), 1); }
+  WithoutWeasyprint(const WithoutWeasyprint&) = delete;
+  WithoutWeasyprint& operator=(const WithoutWeasyprint&) = delete;
+
+ private:
+  ScratchFolder folder_;
+  std::string path_ = std::getenv("PATH");
+};
 
 /// The example project, run once.
 class Package : public testing::Test {

@@ -15,6 +15,7 @@ namespace {
 using testing::Not;
 
 TEST_F(Package, a_stopped_calculation_goes_on_to_the_same_package) {
+  const WithoutWeasyprint path;
   const fs::path other = folder_->path("stopped");
   Child child({GLISSADE_PROGRAM, "clearance", project_file, "--out", other.string()});
   ASSERT_TRUE(reaches(child, [&] { return some_units_are_done(other / "demand"); }));
@@ -35,6 +36,7 @@ TEST_F(Package, is_finished_only_where_its_results_are_whole_and_of_the_project)
   const fs::path other = folder_->path("finished");
   fs::copy(out(), other, fs::copy_options::recursive);
   const std::vector<std::string> resume = {"clearance", "--resume", other.string()};
+  const WithoutWeasyprint path;
   folder_->write("finished/package.html", "");
   EXPECT_EQ(run_program(resume).status, 0);
   EXPECT_EQ(read_file(other / "package.html"), read_file(out() / "package.html"));
@@ -119,6 +121,7 @@ TEST_F(Package, is_not_made_of_studies_of_other_motions) {
                     text = read_file(suite), project = replaced(moved_project(), suite, "own.toml"),
                     out = folder_->path("own").string();
   folder_->write("own.toml", text);
+  const WithoutWeasyprint path;
   const Finished child =
       run_program({"clearance", folder_->write("project.toml", project), "--out", out});
   ASSERT_EQ(child.status, 0) << child.err;

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdlib>
 #include <functional>
 #include <map>
 #include <nlohmann/json.hpp>
@@ -344,6 +343,7 @@ TEST_F(Package, of_a_soft_roof_and_a_weak_array_is_not_applicable) {
                                  {"interconnection = 0.2", "interconnection = 0.05"}})
     text = replaced(text, from, to);
   const fs::path other = folder_->path("soft");
+  const WithoutWeasyprint path;
   const Finished child =
       run_program({"clearance", folder_->write("soft.toml", text), "--out", other.string()});
   ASSERT_EQ(child.status, 0) << child.err;
@@ -394,6 +394,7 @@ TEST_F(Package, of_a_hazard_curve_has_annual_rates_and_the_displacement_that_add
                "[hazard]\nk0 = 1e-3\nk = 2.2\ndesign_life_years = 25\n\n[clearances]") +
       "\n[[gap]]\nname = \"skylight <3>\"\nkind = \"obstruction\"\navailable_m = \"1 ft\"\n"
       "\n[[gap]]\nname = \"duct\"\nkind = \"obstruction\"\navailable_m = \"9 ft\"\n";
+  const WithoutWeasyprint path;
   const Finished child =
       run_program({"clearance", folder_->write("hazard.toml", text), "--out", other.string()});
   ASSERT_EQ(child.status, 0) << child.err;
@@ -428,6 +429,7 @@ TEST_F(Package, a_page_holds_text_as_text_and_few_tests_and_a_peer_review_are_wa
                   "mu = { mean = 0.55, std = 0.04 }\nsource = \"few tests\"\ntests = 3");
   text = replaced(text, "compare = \"asce7_16\"", "compare = \"asce7_16\"\npeer_reviewed = true");
   const fs::path other = folder_->path("other");
+  const WithoutWeasyprint path;
   const Finished child =
       run_program({"clearance", folder_->write("script.toml", text), "--out", other.string()});
   ASSERT_EQ(child.status, 0) << child.err;
@@ -492,12 +494,8 @@ TEST_F(Package, without_weasyprint_says_that_the_page_is_to_be_printed) {
   const fs::path other = folder_->path("unprinted");
   fs::copy(out(), other, fs::copy_options::recursive);
   fs::remove(other / "package.html");
-  const std::string path = std::getenv("PATH");
-  fs::create_directory(folder_->path("bin"));
-  fs::create_symlink("/usr/bin/gnuplot", folder_->path("bin/gnuplot"));
-  ::setenv("PATH", folder_->path("bin").c_str(), 1);
+  const WithoutWeasyprint path;
   const Finished child = run_program({"clearance", "--resume", other.string()});
-  ::setenv("PATH", path.c_str(), 1);
   ASSERT_EQ(child.status, 0) << child.err;
   EXPECT_THAT(child.out, states("package.html", "print it from a browser"));
   EXPECT_FALSE(fs::exists(other / "package.pdf"));
