@@ -52,9 +52,16 @@ const std::vector<Sample> samples = {
     {"cosmos.v2", "90 deg", -1},
     {"csmip.v2", "Chan 1: 360 Deg"},
     {"csmip.v2", "Up", 0.5},
+    {"csmip_rate.v1", "360 Deg"},
+    {"csmip_rate.v1", "2", 0.5},
+    {"csmip_no_format.raw", ""},
     {"smc.smc", ""},
     {"smc_unknown.smc", "", 1, in_cmps2},
+    {"smc_pairs.smc", ""},
     {"usc.dat", ""},
+    {"usc_corrected.dat", "N08W"},
+    {"cdmg_pairs.raw", "90 DEG"},
+    {"cdmg_pairs.raw", "up", 0.5},
     {"bhrc.v1", "L1"},
     {"bhrc.v1", "V1", 0.5},
     {"geonet.v1a", "N10E"},
@@ -111,20 +118,21 @@ TEST(record_formats, miniseed_is_read_with_a_stated_gain) {
 
 TEST(record_formats, what_is_missing_or_other_is_named) {
   const auto read = [](const std::string& name) { read_record(corpus / name); };
-  expect_refusals(read,
-                  {{"afad.txt", "afad.txt", {"#1 (N-S)", "#2 (E-W)", "#3 (U-D)"}},
-                   {"opensees.out", "opensees.out", {"#1", "#3", "name one"}},
-                   {"sac_little.sac", "sac_little.sac", {"SAC", "give units"}},
-                   {"eqsig.txt", "eqsig.txt", {"units"}},
-                   {"semicolon_decimal_comma.csv", "semicolon_decimal_comma.csv", {"units"}},
-                   {"smc_unknown.smc", "smc_unknown.smc:1", {"UNKNOWN", "units"}},
-                   {"smc_velocity.smc", "smc_velocity.smc:1", {"velocity"}},
-                   {"csmip_spectra.v3", "csmip_spectra.v3", {"V3", "V2"}},
-                   {"station.xml", "station.xml", {"StationXML"}},
-                   {"usc_uneven.dat", "usc_uneven.dat:28", {"0.02 to 0.033"}},
-                   {"uneven_heading.csv", "uneven_heading.csv:4", {"0.01 to 0.03"}},
-                   {"five_in_a_line.txt", "five_in_a_line.txt:1", {"5 columns", "NPTS="}},
-                   {"sap_two_joints.txt", "sap_two_joints.txt:11", {"'Joint'", "'12'", "'13'"}}});
+  expect_refusals(
+      read, {{"afad.txt", "afad.txt", {"#1 (N-S)", "#2 (E-W)", "#3 (U-D)"}},
+             {"opensees.out", "opensees.out", {"#1", "#3", "name one"}},
+             {"sac_little.sac", "sac_little.sac", {"SAC", "give units"}},
+             {"eqsig.txt", "eqsig.txt", {"units"}},
+             {"semicolon_decimal_comma.csv", "semicolon_decimal_comma.csv", {"units"}},
+             {"smc_unknown.smc", "smc_unknown.smc:1", {"UNKNOWN", "units"}},
+             {"smc_velocity.smc", "smc_velocity.smc:1", {"velocity"}},
+             {"csmip_spectra.v3", "csmip_spectra.v3", {"V3", "V2"}},
+             {"station.xml", "station.xml", {"StationXML"}},
+             {"usc_uneven.dat", "usc_uneven.dat:28", {"uncorrected", "0.02 to 0.033", "Volume II"}},
+             {"smc_uneven.smc", "smc_uneven.smc:30", {"uncorrected", "0.02 to 0.033"}},
+             {"uneven_heading.csv", "uneven_heading.csv:4", {"0.01 to 0.03"}},
+             {"five_in_a_line.txt", "five_in_a_line.txt:1", {"5 columns", "NPTS="}},
+             {"sap_two_joints.txt", "sap_two_joints.txt:11", {"'Joint'", "'12'", "'13'"}}});
 }
 
 TEST(record_formats, units_and_steps_that_contradict_the_header_are_refused) {

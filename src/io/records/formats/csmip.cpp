@@ -2,18 +2,22 @@
 // CSMIP and USGS V1 and V2, before COSMOS: per channel text lines, integers, reals, then blocks
 // with a line "N points of accel data equally spaced at .005 sec, in cm/sec2. (8f10.6)" each
 // (Shakal & Huang 1985, CDMG "Standard Tape Format for CSMIP Strong-Motion Data Tapes", OSMS
-// 85-03).
+// 85-03); since 2000 "N Accelerogram points at 200 pts/sec in units of g. Format: (8f9.6)".
+// Corrected files of USC (Volume II) have the same blocks, "N POINTS OF ACC DATA ...".
+#include <algorithm>
+#include <array>
+
 #include "records/formats/reading.hpp"
 
 namespace glissade {
 namespace {
 
-constexpr std::size_t csmip_field_width = 10;  // 8F10, where the line states no format
-
-/// "accel", "veloc" or "displ" of the line above a block; "" of another line.
+/// "acc", "vel" or "dis" of the line above a block; "" of another line.
 std::string_view csmip_quantity(const std::string& lower) {
-  if (lower.find("equally spaced at") == std::string::npos) return "";
-  for (const std::string_view quantity : {"accel", "veloc", "displ"})
+  const bool is_above_block = lower.find("equally spaced at") != std::string::npos ||
+                              lower.find("pts/sec") != std::string::npos;
+  if (!is_above_block) return "";
+  for (const std::string_view quantity : {"acc", "vel", "dis"})
     if (lower.find(quantity) != std::string::npos) return quantity;
   return "";
 }
@@ -23,14 +27,15 @@ bool is_csmip(const RecordText& file) {
   LineReader lines(file.text);
   while (lines.number() < most_header_lines && lines.next()) {
     const std::string lower = lower_case(lines.line().substr(0, 200));
-    if (!csmip_quantity(lower).empty() && lower.find("points of") != std::string::npos) return true;
+    if (!csmip_quantity(lower).empty() && lower.find("points ") != std::string::npos) return true;
   }
   return false;
 }
 
-/// "cm/sec2" of ", in cm/sec2. (8f10.6)", "cm/sec/sec" of "(units: cm/sec/sec)".
+/// "cm/sec2" of ", in cm/sec2. (8f10.6)", "cm/sec/sec" of "(units: cm/sec/sec)", "g" of "in units
+/// of g.".
 std::string csmip_unit(const std::string& lower) {
-  for (const std::string_view before : {"units:", ", in "}) {
+  for (const std::string_view before : {"units:", "in units of ", "in units ", ", in "}) {
     const std::size_t at = lower.find(before);
     if (at == std::string::npos) continue;
     const std::size_t begin = lower.find_first_not_of(' ', at + before.size());
@@ -40,43 +45,72 @@ std::string csmip_unit(const std::string& lower) {
   return "";
 }
 
+/// Seconds of "equally spaced at .005 sec" or "points at 200 pts/sec".
+std::optional<double> csmip_step_s(const std::string& lower) {
+  const bool is_rate = lower.find("pts/sec") != std::string::npos;
+  const auto stated = first_number(lower, lower.find(is_rate ? "points at" : "spaced at"));
+  if (!stated) return std::nullopt;
+  return is_rate ? 1.0 / stated->value : stated->value;
+}
+
+/// The width of the fields, where the line above them states no format: one at which they are
+/// numbers; 0: they stand between blanks.
+std::size_t csmip_width(LineReader lines) {
+  if (!lines.next()) return 0;
+  const auto are_numbers = [&](std::size_t width) {
+    return std::ranges::all_of(fixed_fields(lines.line(), width), [](std::string_view field) {
+      return fortran_number(field).has_value();
+    });
+  };
+  constexpr std::array widths{std::size_t{10}, std::size_t{9}};
+  const auto width = std::ranges::find_if(widths, are_numbers);
+  return width == widths.end() ? 0 : *width;
+}
+
 struct CsmipChannel {
-  std::string name, station, event;
+  std::string name;
+  RecordHeader stated;
   bool corrected = false;
 };
 
 void read_csmip_line(std::string_view line, const std::string& lower, CsmipChannel& channel) {
+  constexpr std::size_t text_width = 72;  // behind it USC counts characters
+  RecordHeader& stated = channel.stated;
   if (lower.starts_with("corrected accelerogram") || lower.starts_with("uncorrected accel"))
     channel.corrected = channel.corrected || lower.starts_with("corrected");
-  else if (lower.starts_with("station no"))
-    channel.station = trimmed(line.substr(0, 18));
-  else if (lower.starts_with("record of") && channel.event.empty())
-    channel.event = single_blanks(line);
+  else if (lower.starts_with("station"))
+    stated.station = trimmed(line.substr(0, 18));
+  else if (stated.event.empty() &&
+           (lower.starts_with("record of") || lower.starts_with("rcrd of") ||
+            lower.find("earthquake") != std::string::npos))
+    stated.event = single_blanks(line.substr(0, text_width));
   else if (lower.starts_with("chan"))
     channel.name = single_blanks(line);
+  else if (lower.starts_with("comp "))
+    channel.name = single_blanks(line.substr(5, 12));
+  else if (lower.starts_with("hypocenter") || lower.starts_with("magnitude"))
+    state_magnitude(stated, line, {{"mw", "Mw"}, {"ms", "Ms"}, {"ml", "ML"}, {"magnitude", "M"}});
   else if (lower.starts_with("/&"))
     channel = {};
 }
 
 FileComponent csmip_component(const RecordText& file, LineReader& lines, const std::string& lower,
                               const CsmipChannel& channel, const RecordFileOptions& options) {
-  const std::size_t line = lines.number(), width = field_width(lower);
-  const std::string unit = csmip_unit(lower);
-  const double unit_mps2 = stated_unit(file, unit, line, options);
-  const auto step = first_number(lower, lower.find("spaced at"));
-  const double dt_s = stated_step(place(file.path, line), lower.substr(lower.find("spaced at")),
-                                  step ? std::optional(step->value) : std::nullopt, options);
+  const std::size_t line = lines.number(), stated_width = field_width(lower);
+  RecordHeader stated = channel.stated;
+  stated.unit = csmip_unit(lower);
+  stated.is_processed = channel.corrected;
+  const double unit_mps2 = stated_unit(file, stated.unit, line, options);
+  const double dt_s =
+      stated_step(place(file.path, line), in_quotes(lower), csmip_step_s(lower), options);
   const std::size_t count =
       stated_count(file, {"the count of points", lower.substr(0, lower.find("points")), line});
-  FileComponent component = file_component(
-      file, channel.name, dt_s,
-      read_block(file, lines, {count, width > 0 ? width : csmip_field_width, unit_mps2}));
+  const std::size_t width = stated_width > 0 ? stated_width : csmip_width(lines);
+  FileComponent component =
+      file_component(file, channel.name, dt_s, read_block(file, lines, {count, width, unit_mps2}));
   component.direction = trimmed(channel.name.substr(channel.name.find(':') + 1));
-  state_header(component, {.event = channel.event,
-                           .station = channel.station,
-                           .direction = plain_direction(component.direction),
-                           .unit = unit,
-                           .is_processed = channel.corrected});
+  stated.direction = plain_direction(component.direction);
+  state_header(component, std::move(stated));
   if (!channel.corrected) component.record.notes.emplace_back("CSMIP or USGS V1: not corrected");
   return component;
 }
@@ -86,7 +120,7 @@ std::vector<FileComponent> read_csmip(const RecordText& file, const RecordFileOp
   CsmipChannel channel;
   for (LineReader lines(file.text); lines.next();) {
     const std::string lower = lower_case(trimmed(lines.line().substr(0, 200)));
-    if (csmip_quantity(lower) == "accel")
+    if (csmip_quantity(lower) == "acc")
       components.push_back(csmip_component(file, lines, lower, channel, options));
     else
       read_csmip_line(lines.line(), lower, channel);
@@ -99,6 +133,6 @@ std::vector<FileComponent> read_csmip(const RecordText& file, const RecordFileOp
 
 }  // namespace
 
-const RecordFormat csmip_format{"CSMIP or USGS V1 or V2", is_csmip, read_csmip};
+const RecordFormat csmip_format{"CSMIP or USGS V1 or V2, or USC Volume II", is_csmip, read_csmip};
 
 }  // namespace glissade

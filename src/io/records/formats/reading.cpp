@@ -11,7 +11,6 @@
 
 #include "glissade/motion/improbable.hpp"
 #include "records/record_units.hpp"
-#include "records/time_column.hpp"
 
 namespace glissade {
 namespace {
@@ -167,6 +166,26 @@ std::vector<double> read_rest(const RecordText& file, LineReader& lines, double 
     }
   }
   return samples;
+}
+
+void add_pairs(const RecordText& file, std::size_t line, const std::vector<std::string_view>& row,
+               double unit_mps2, TimedSamples& pairs) {
+  for (std::size_t i = 0; i + 1 < row.size(); i += 2) {
+    pairs.time.add(parse_finite(file.path, line, row[i], "the time"), row[i], line);
+    add_sample(file.path, parse_sample(file.path, line, row[i + 1], unit_mps2), pairs.samples_mps2);
+  }
+}
+
+double digitised_step_s(const RecordText& file, const TimedSamples& pairs,
+                        const RecordFileOptions& options) {
+  try {
+    return step_of(file.path, pairs.time, options.dt_s);
+  } catch (const InputError& error) {
+    Problem uneven = error.problems().front();
+    uneven.what = "is an uncorrected accelerogram as its film was digitised: " + uneven.what;
+    uneven.suggestion = "give the corrected record (Volume II), or resample this one";
+    throw InputError(uneven);
+  }
 }
 
 void check_stated_count(const std::string& where, std::size_t stated, std::size_t found) {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "records/formats/record_format.hpp"
+#include "records/time_column.hpp"
 #include "text/scan.hpp"
 
 // What the readers of all formats share. Files are untrusted: nothing is allocated by a number that
@@ -59,6 +60,18 @@ struct SampleBlock {
 std::vector<double> read_block(const RecordText& file, LineReader& lines, const SampleBlock& block);
 /// All numbers of the lines that follow.
 std::vector<double> read_rest(const RecordText& file, LineReader& lines, double unit_mps2);
+/// Pairs of time and acceleration, as a film was digitised.
+struct TimedSamples {
+  TimeColumn time;
+  std::vector<double> samples_mps2;
+};
+/// Takes the fields of a line.
+void add_pairs(const RecordText& file, std::size_t line, const std::vector<std::string_view>& row,
+               double unit_mps2, TimedSamples& pairs);
+/// InputError where the times are uneven, as most are.
+double digitised_step_s(const RecordText& file, const TimedSamples& pairs,
+                        const RecordFileOptions& options);
+
 /// InputError unless a file holds as many samples as it states.
 void check_stated_count(const std::string& where, std::size_t stated, std::size_t found);
 

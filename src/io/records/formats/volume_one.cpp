@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Uncorrected accelerograms in g/10 as the California Institute of Technology published them
 // (Hudson, Brady & Trifunac 1969-75, EERL, "Strong-Motion Earthquake Accelerograms", Volume I):
-// - USC: text lines, integers, reals, then pairs of time and acceleration in 10F7.3, mostly uneven,
-//   as films were digitised;
+// - USC and CDMG: text lines, integers, reals, then pairs of time and acceleration in 10F7.3,
+// mostly
+//   uneven, as films were digitised;
 // - BHRC of Iran: "* VOL1DS FILE" and the same header per component, then accelerations in 10E13.6
 //   (smd.bhrc.ac.ir, as downloaded 2012).
 #include <algorithm>
 #include <cmath>
 
 #include "records/formats/reading.hpp"
-#include "records/time_column.hpp"
 
 namespace glissade {
 namespace {
@@ -19,7 +19,7 @@ constexpr std::size_t volume_one_header_lines = 14;  // integers and reals
 bool is_usc(const RecordText& file) {
   LineReader lines(file.text);
   return lines.next() &&
-         lines.line().find("UNCORRECTED ACCELEROGRAM DATA OF VOLUME I") != std::string_view::npos;
+         lines.line().find("UNCORRECTED ACCELEROGRAM DATA") != std::string_view::npos;
 }
 bool is_bhrc(const RecordText& file) {
   LineReader lines(file.text);
@@ -37,7 +37,7 @@ struct VolumeOneHeader {
 
 void read_points(const RecordText& file, const LineReader& lines, VolumeOneHeader& header) {
   const std::string line(lines.line());
-  const std::size_t duration = line.find("DURATION");
+  const std::size_t duration = std::min(line.find("DURATION"), line.find("RECORD LENGTH"));
   header.points_line = lines.number();
   header.points = stated_count(
       file, {"NO. OF POINTS", line.substr(0, duration).substr(13), header.points_line});
@@ -51,6 +51,8 @@ std::optional<VolumeOneHeader> volume_one_header(const RecordText& file, LineRea
     const std::string_view line = trimmed(lines.line());
     if (line.starts_with("COMP")) {
       header.name = std::string(trimmed(line.substr(4, 12)));
+    } else if (line.starts_with("CHAN")) {
+      header.name = std::string(trimmed(line.substr(std::min(line.find(':') + 1, line.size()))));
     } else if (line.starts_with("NO. OF POINTS")) {
       read_points(file, lines, header);
     } else if (line.starts_with("Origin Time")) {
@@ -61,7 +63,8 @@ std::optional<VolumeOneHeader> volume_one_header(const RecordText& file, LineRea
     } else if (line.find("STATION") != std::string_view::npos ||
                line.find("Station") != std::string_view::npos) {
       header.station = std::string(trimmed(line.substr(0, 40)));
-    } else if (line.starts_with("UNITS ARE SEC") && line.find("AND") != std::string_view::npos) {
+    } else if (line.starts_with("UNITS ") && line.find(" ARE SEC") != std::string_view::npos &&
+               line.find("AND") != std::string_view::npos) {
       header.unit = first_word(line.substr(line.find("AND") + 3));
       header.unit_line = lines.number();
       lines.next();  // blank, or the RMS
@@ -91,25 +94,26 @@ FileComponent volume_one_component(const RecordText& file, const VolumeOneHeader
 /// Pairs of time and acceleration; a blank may stand before them (1X, 10F7.3).
 std::vector<FileComponent> read_usc(const RecordText& file, const RecordFileOptions& options) {
   constexpr std::size_t width = 7;
+  std::vector<FileComponent> components;
   LineReader lines(file.text);
-  const auto header = volume_one_header(file, lines);
-  if (!header)
-    refuse_record(file.path.string(), "has no component", "the file is cut short: get it again");
-  const double unit_mps2 = stated_unit(file, header->unit, header->unit_line, options);
-  TimeColumn time;
-  std::vector<double> samples;
-  while (lines.next() && !lines.line().starts_with("FILE")) {
-    const std::string_view line = lines.line();
-    const auto row = fixed_fields(line.size() % width == 1 ? line.substr(1) : line, width);
-    for (std::size_t i = 0; i + 1 < row.size(); i += 2) {
-      time.add(parse_finite(file.path, lines.number(), row[i], "the time"), row[i], lines.number());
-      add_sample(file.path, parse_sample(file.path, lines.number(), row[i + 1], unit_mps2),
-                 samples);
+  while (const auto header = volume_one_header(file, lines)) {
+    TimedSamples pairs;
+    const double unit_mps2 = stated_unit(file, header->unit, header->unit_line, options);
+    for (LineReader ahead = lines; ahead.next(); lines = ahead) {
+      const std::string_view line = ahead.line();
+      if (line.starts_with("FILE") || line.starts_with("/&")) break;
+      add_pairs(file, ahead.number(),
+                fixed_fields(line.size() % width == 1 ? line.substr(1) : line, width), unit_mps2,
+                pairs);
     }
+    check_stated_count(place(file.path, header->points_line), header->points,
+                       pairs.samples_mps2.size());
+    const double dt_s = digitised_step_s(file, pairs, options);
+    components.push_back(volume_one_component(file, *header, dt_s, std::move(pairs.samples_mps2)));
   }
-  check_stated_count(place(file.path, header->points_line), header->points, samples.size());
-  const double dt_s = step_of(file.path, time, options.dt_s);
-  return {volume_one_component(file, *header, dt_s, std::move(samples))};
+  if (components.empty())
+    refuse_record(file.path.string(), "has no component", "the file is cut short: get it again");
+  return components;
 }
 
 std::vector<FileComponent> read_bhrc(const RecordText& file, const RecordFileOptions& options) {
