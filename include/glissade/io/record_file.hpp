@@ -10,6 +10,8 @@
 
 namespace glissade {
 
+class StationMetadata;
+
 enum class AccelerationUnits { g, mps2, cmps2 };
 
 /// "g", "m/s2", "cm/s2" or "gal"; InputError otherwise.
@@ -30,6 +32,8 @@ struct RecordFileOptions {
   /// Counts of the recorder for one of `units`, of files that hold counts (miniSEED, COSMOS V0). >
   /// 0.
   std::optional<double> counts_per_unit = std::nullopt;
+  /// StationXML, of channels of miniSEED whose gain is not stated; nullptr: none.
+  const StationMetadata* stations = nullptr;
 };
 
 /// "floor.csv" and "U1" of "floor.csv#U1"; no component where the whole is a file, or has no #.

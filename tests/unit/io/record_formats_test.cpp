@@ -82,6 +82,8 @@ const std::vector<Sample> samples = {
     {"bom_crlf_ms.csv", "U1"},
     {"bom_crlf_ms.csv", "a [m/s^2]", -1},
     {"utf16.csv", "2", -1},
+    {"latin1.csv", "Beschleunigung"},
+    {"quoted_heading.csv", ""},
     {"decimal_comma_column.txt", "", 1, column_in_mps2},
 };
 

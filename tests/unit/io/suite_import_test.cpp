@@ -369,7 +369,8 @@ TEST_F(SuiteImporter, texts_of_headers_and_names_stay_texts) {
   ASSERT_EQ(found.records.size(), 1u) << reasons(found);
   EXPECT_EQ(found.records[0].id, "RSN7____x____q");
   for (const std::string& text : {found.records[0].event, found.records[0].station}) {
-    EXPECT_TRUE(std::ranges::all_of(text, [](char c) { return c >= ' '; })) << text;
+    EXPECT_TRUE(std::ranges::all_of(text, [](unsigned char c) { return c >= ' '; })) << text;
+    EXPECT_THAT(text, testing::Not(HasSubstr("\u0080")));  // a control character of Latin-1
   }
   EXPECT_THAT(reasons(found), HasSubstr("control characters"));
   const Suite suite = load(found);

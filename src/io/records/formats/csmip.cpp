@@ -90,6 +90,8 @@ void read_csmip_line(std::string_view line, const std::string& lower, CsmipChann
     channel.name = single_blanks(line.substr(5, 12));
   else if (lower.starts_with("hypocenter") || lower.starts_with("magnitude"))
     state_magnitude(stated, line, {{"mw", "Mw"}, {"ms", "Ms"}, {"ml", "ML"}, {"magnitude", "M"}});
+  else if (lower.starts_with("peak acceleration") && lower.find("cms/sec/sec") != lower.npos)
+    stated.unit = "cm/sec/sec";  // of a block that states none
   else if (lower.starts_with("/&"))
     channel = {};
 }
@@ -98,7 +100,7 @@ FileComponent csmip_component(const RecordText& file, LineReader& lines, const s
                               const CsmipChannel& channel, const RecordFileOptions& options) {
   const std::size_t line = lines.number(), stated_width = field_width(lower);
   RecordHeader stated = channel.stated;
-  stated.unit = csmip_unit(lower);
+  if (std::string unit = csmip_unit(lower); !unit.empty()) stated.unit = std::move(unit);
   stated.is_processed = channel.corrected;
   const double unit_mps2 = stated_unit(file, stated.unit, line, options);
   const double dt_s =

@@ -21,7 +21,7 @@ constexpr const char* to_text =
     "units (ObsPy: read(FILE).write(..., format=\"TSPAIR\"))";
 constexpr std::array foreign_kinds = {
     ForeignKind{"", "<fdsnstationxml", "is StationXML, the metadata of a station, and no record",
-                "give the record; its InstrumentSensitivity is counts_per_unit of a miniSEED file"},
+                "give it to suite import, with the miniSEED files of its channels"},
     ForeignKind{"000001V ", "", "is a full SEED volume", "extract miniSEED (rdseed -d -o 4)"},
     ForeignKind{"MS\x03", "", "is miniSEED 3", to_text},
     ForeignKind{"\x89HDF", "", "is an HDF5 file (ASDF, results)", to_text},

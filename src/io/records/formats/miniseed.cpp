@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // miniSEED 2 by libmseed: records of one or more channels, which state no unit ("SEED Reference
-// Manual", version 2.4, FDSN, 2012). The gain is that of the station's metadata.
+// Manual", version 2.4, FDSN, 2012). The gain is stated, or that of the station's metadata.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -14,6 +14,7 @@
 #endif
 
 #include "records/formats/reading.hpp"
+#include "records/station_metadata.hpp"
 
 namespace glissade {
 namespace {
@@ -39,7 +40,7 @@ using MseedRecord = std::unique_ptr<MSRecord, FreeMseed>;
 struct MseedChannel {
   std::string name;
   double rate_hz = 0.0;
-  hptime_t end = 0;  ///< of its last sample
+  hptime_t start = 0, end = 0;  ///< of its first and last sample
   bool is_counts = false;
   std::vector<double> values;
 };
@@ -106,7 +107,7 @@ std::vector<MseedChannel> mseed_channels(const RecordText& file) {
     msr_srcname(record.get(), name.data(), 0);
     auto channel = std::ranges::find(channels, name.data(), &MseedChannel::name);
     if (channel == channels.end()) {
-      channels.push_back({name.data(), record->samprate, 0, false, {}});
+      channels.push_back({name.data(), record->samprate, record->starttime, 0, false, {}});
       channel = channels.end() - 1;
     }
     check_continues(file, *channel, *record);
@@ -120,21 +121,34 @@ std::vector<FileComponent> read_miniseed(const RecordText& file, const RecordFil
   std::vector<FileComponent> components;
   for (MseedChannel& channel : mseed_channels(file)) {
     if (!channel.is_counts) ask_for_unit(file, "miniSEED", options);
-    const double unit_mps2 = stated_unit(file, channel.is_counts ? "counts" : "", 0, options);
+    std::optional<ChannelGain> gain;
+    RecordFileOptions stated = options;
+    if (channel.is_counts && !options.counts_per_unit && options.stations != nullptr)
+      gain = options.stations->find(channel.name, time_text(channel.start));
+    if (gain) {
+      stated.units = AccelerationUnits::mps2;
+      stated.counts_per_unit = gain->counts_per_mps2;
+    }
+    const double unit_mps2 = stated_unit(file, channel.is_counts ? "counts" : "", 0, stated);
     const double step_s = channel.rate_hz > 0.0 ? to_twelve_digits(1.0 / channel.rate_hz) : 0.0;
     const double dt_s = stated_step(file.path.string(), shortest_decimal(step_s), step_s, options);
     std::vector<double> samples;
     for (const double value : channel.values) add_value(file, value, unit_mps2, samples);
-    const std::string direction = channel.name.substr(channel.name.rfind('_') + 1);
+    const std::string code = channel.name.substr(channel.name.rfind('_') + 1),
+                      direction = gain && !gain->direction.empty() ? gain->direction
+                                                                   : plain_direction(code);
     FileComponent component = file_component(file, channel.name, dt_s, std::move(samples));
-    component.direction = direction;
-    RecordHeader header{"", channel.name.substr(0, channel.name.rfind('_')),
-                        plain_direction(direction), channel.is_counts ? "counts" : ""};
+    component.direction = code;
+    if (gain) component.counts_per_mps2 = gain->counts_per_mps2;
+    RecordHeader header{"", channel.name.substr(0, channel.name.rfind('_')), direction,
+                        channel.is_counts ? "counts" : ""};
     if (channel.is_counts) header.is_processed = false;
     state_header(component, std::move(header));
     if (channel.is_counts)
       component.record.notes.emplace_back(
-          "counts of the recorder by the stated gain: not corrected, their offset is in them");
+          "counts of the recorder by " +
+          (gain ? "the gain of " + gain->source : std::string("the stated gain")) +
+          ": not corrected, their offset is in them");
     components.push_back(std::move(component));
   }
   if (components.empty())

@@ -14,7 +14,7 @@ namespace glissade {
 /// A record file in memory.
 struct RecordText {
   std::filesystem::path path;
-  std::string text;  ///< in UTF-8, also of a file in UTF-16; the bytes of a binary file
+  std::string text;  ///< in UTF-8, also of a file in UTF-16 or Latin-1; or bytes, of a binary file
 };
 
 /// One component of a file; `floor.csv#U1` addresses it by a name, `floor.csv#1` by its position.
@@ -23,6 +23,7 @@ struct FileComponent {
   std::string direction;  ///< another name of it: "360 Deg"; may be empty
   Record record;          ///< of a table, without samples where another column is asked for
   RecordHeader header = {};
+  std::optional<double> counts_per_mps2 = std::nullopt;  ///< by the station's metadata
 };
 
 /// A kind of file. A reader throws InputError for what is wrong with a file of its kind.

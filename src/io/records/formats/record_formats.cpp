@@ -5,7 +5,7 @@
 
 #include "glissade/core/file.hpp"
 #include "records/formats/reading.hpp"
-#include "text/utf16.hpp"
+#include "text/encoding.hpp"
 
 namespace glissade {
 namespace {
@@ -44,6 +44,7 @@ RecordText load_record(const std::filesystem::path& file) {
   if (is_utf16(record.text)) record.text = from_utf16(record.text);
   if (record.text.ends_with('\x1a')) record.text.pop_back();
   const bool is_text = record.text.find('\0') == std::string::npos;
+  if (is_text && !is_utf8(record.text)) record.text = from_latin1(record.text);
   if (is_text && record.text.find('\n') == std::string::npos)
     std::ranges::replace(record.text, '\r', '\n');
   return record;

@@ -104,7 +104,7 @@ std::vector<FileComponent> read_smc(const RecordText& file, const RecordFileOpti
   const std::size_t width = integers[47] == 8.0 ? 14 : 10;  // digits
   TimedSamples pairs;
   if (kind == 1 && !has_rate) {
-    while (lines.next())
+    while (2 * pairs.samples_mps2.size() < count && lines.next())
       add_pairs(file, lines.number(), fixed_fields(lines.line(), width), unit_mps2, pairs);
     check_stated_count(place(file.path, count_line), count, 2 * pairs.samples_mps2.size());
   }

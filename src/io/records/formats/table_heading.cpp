@@ -45,7 +45,8 @@ TableColumn column_of(std::string_view cell) {
   const std::size_t last = cell.find_last_of(" ,_");
   if (last != std::string_view::npos && last > 0 && is_unit(cell.substr(last + 1))) {
     std::string_view name = trimmed(cell.substr(0, last));
-    if (lower_case(name).ends_with(" in")) name = name.substr(0, name.size() - 3);
+    for (const std::string_view end : {" in", ","})
+      if (lower_case(name).ends_with(end)) name.remove_suffix(end.size());
     return named_column(cell, name, trimmed(cell.substr(last + 1)));
   }
   return named_column(cell, cell, "");
@@ -93,7 +94,10 @@ std::vector<std::string_view> table_cells(std::string_view line, char separator)
   line = trimmed(line);
   std::vector<std::string_view> cells;
   while (!line.empty()) {
-    const std::size_t end = separator == ' ' ? line.find_first_of(" \t") : line.find(separator);
+    const std::size_t closing = line.front() == '"' ? line.find('"', 1) : line.npos;
+    const std::size_t from = closing == line.npos ? 0 : closing;  // a separator in quotes is none
+    const std::size_t end =
+        separator == ' ' ? line.find_first_of(" \t", from) : line.find(separator, from);
     cells.push_back(without_quotes(line.substr(0, end)));
     line.remove_prefix(end == std::string_view::npos ? line.size() : end + 1);
     if (separator == ' ') line = trimmed(line);

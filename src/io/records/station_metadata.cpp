@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "records/station_metadata.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <pugixml.hpp>
+
+#include "records/formats/reading.hpp"
+
+namespace glissade {
+namespace {
+
+/// m/s2 of the names that data centres give the unit; nothing: no acceleration.
+std::optional<double> acceleration_unit_mps2(const std::string& name) {
+  constexpr std::array units{std::pair{"m/s**2", 1.0},   std::pair{"m/s/s", 1.0},
+                             std::pair{"m/s^2", 1.0},    std::pair{"m/s2", 1.0},
+                             std::pair{"cm/s**2", 0.01}, std::pair{"cm/s/s", 0.01},
+                             std::pair{"nm/s**2", 1e-9}};
+  const std::string lower = lower_case(name);
+  for (const auto& [known, mps2] : units)
+    if (lower == known) return mps2;
+  return std::nullopt;
+}
+
+/// "2019-07-06T03:19:47" of a date with parts of a second or a zone: dates then compare as texts.
+std::string to_seconds(std::string_view date) { return std::string(date.substr(0, 19)); }
+
+/// Dip is positive down (SEED 2.4, blockette 52).
+std::string direction_of(const pugi::xml_node& channel) {
+  constexpr double upright_deg = 45.0;
+  const double dip_deg = channel.child("Dip").text().as_double(0.0);
+  if (dip_deg <= -upright_deg) return "UP";
+  if (dip_deg >= upright_deg) return "DOWN";
+  const pugi::xml_node azimuth = channel.child("Azimuth");
+  return azimuth ? shortest_decimal(azimuth.text().as_double()) : "";
+}
+
+}  // namespace
+
+bool is_station_xml(const RecordText& file) {
+  constexpr std::size_t looked_at = 1000;
+  return lower_case(std::string_view(file.text).substr(0, looked_at)).find("<fdsnstationxml") !=
+         std::string::npos;
+}
+
+void StationMetadata::add(const RecordText& file) {
+  pugi::xml_document document;
+  const pugi::xml_parse_result parsed =
+      document.load_buffer(file.text.data(), file.text.size(), pugi::parse_default);
+  if (!parsed)
+    refuse_record(
+        file.path.string(),
+        fmt::format("is no whole XML: {} at byte {}", parsed.description(), parsed.offset),
+        "get the file again");
+  for (const pugi::xml_node& network : document.child("FDSNStationXML").children("Network")) {
+    for (const pugi::xml_node& station : network.children("Station")) {
+      for (const pugi::xml_node& channel : station.children("Channel")) {
+        const pugi::xml_node stated = channel.child("Response").child("InstrumentSensitivity");
+        Channel& read = channels_.emplace_back();
+        read.id = fmt::format(
+            "{}_{}_{}_{}", network.attribute("code").value(), station.attribute("code").value(),
+            trimmed(channel.attribute("locationCode").value()), channel.attribute("code").value());
+        read.start = to_seconds(channel.attribute("startDate").value());
+        read.end = to_seconds(channel.attribute("endDate").as_string("9999"));
+        read.input_unit = stated.child("InputUnits").child("Name").text().get();
+        read.output_unit = lower_case(stated.child("OutputUnits").child("Name").text().get());
+        read.sensitivity = stated.child("Value").text().as_double();
+        read.gain.direction = direction_of(channel);
+        read.gain.source = fmt::format("{} (sensitivity at {} Hz)", file.path.filename().string(),
+                                       stated.child("Frequency").text().as_double());
+      }
+    }
+  }
+}
+
+std::optional<ChannelGain> StationMetadata::find(const std::string& id,
+                                                 std::string_view time) const {
+  std::optional<ChannelGain> found;
+  const std::string at = to_seconds(time);
+  for (const Channel& channel : channels_) {
+    if (channel.id != id || at < channel.start || at >= channel.end) continue;
+    const auto unit_mps2 = acceleration_unit_mps2(channel.input_unit);
+    const bool is_counts = channel.output_unit == "counts" || channel.output_unit == "count";
+    if (!unit_mps2 || !is_counts || !(channel.sensitivity > 0.0))
+      refuse_record(channel.gain.source,
+                    fmt::format("channel {} has {:g} {} for 1 {}", id, channel.sensitivity,
+                                in_quotes(channel.output_unit), in_quotes(channel.input_unit)),
+                    "give the channel of an accelerometer, or counts_per_unit");
+    ChannelGain gain = channel.gain;
+    gain.counts_per_mps2 = channel.sensitivity / *unit_mps2;
+    if (found && found->counts_per_mps2 != gain.counts_per_mps2)
+      refuse_record(gain.source,
+                    fmt::format("channel {} has two sensitivities at {}: {:g} and {:g} for 1 m/s2",
+                                id, at, found->counts_per_mps2, gain.counts_per_mps2),
+                    "state counts_per_unit");
+    found = std::move(gain);
+  }
+  return found;
+}
+
+}  // namespace glissade
