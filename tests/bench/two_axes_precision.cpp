@@ -39,6 +39,7 @@ struct Kind {
   double mass_ratio = 0.0;
   double across = 1.0;  ///< of the friction along the slope
   Modes (*building)(double period_s) = one_mass;
+  void (*change)(TwoAxisScene&) = nullptr;  ///< of the model
 };
 
 using Scene = TwoAxisScene;
@@ -64,13 +65,14 @@ std::vector<Scene> scenes_of(double pga_mps2, bool vertical, const Kind& kind) {
             const TwoAxisBlock block{.friction = {friction, kind.across * friction},
                                      .slope_rad = slope_deg * rad_per_deg,
                                      .azimuth_rad = azimuth_deg * rad_per_deg};
-            if (friction > std::tan(block.slope_rad))
-              scenes.push_back(
-                  {{.horizontal = {kind.building(period_s), kind.building(0.8 * period_s)},
-                    .yielding = {},
-                    .mass_ratio = kind.mass_ratio},
-                   block,
-                   {{factor, factor}, vertical ? factor : 0.0}});
+            if (friction <= std::tan(block.slope_rad)) continue;
+            scenes.push_back(
+                {{.horizontal = {kind.building(period_s), kind.building(0.8 * period_s)},
+                  .yielding = {},
+                  .mass_ratio = kind.mass_ratio},
+                 block,
+                 {{factor, factor}, vertical ? factor : 0.0}});
+            if (kind.change != nullptr) kind.change(scenes.back());
           }
   return scenes;
 }
@@ -209,6 +211,8 @@ std::vector<SchemeResult> two_axes_precision(const test::StandardScenes& all, st
       {"m/M 0, 3 modes", tall_s, 0.0, 1.0, cantilever<3>},
       {"m/M 0, 5 modes", tall_s, 0.0, 1.0, cantilever<5>},
       {"m/M 0.05", periods_s, 0.05},
+      {"m/M 0.05, base shear", periods_s, 0.05, 1.0, one_mass,
+       [](Scene& s) { s.base_shear = true; }},
       {"m/M 0.05, 1 mode", tall_s, 0.05, 1.0, cantilever<1>},
       {"m/M 0.05, 3 modes", tall_s, 0.05, 1.0, cantilever<3>},
       {"m/M 0.05, 5 modes", tall_s, 0.05, 1.0, cantilever<5>},
@@ -218,7 +222,8 @@ std::vector<SchemeResult> two_axes_precision(const test::StandardScenes& all, st
   for (const Kind& kind : kinds) {
     const Trial trial = trial_of(all, histories, kind);
     const bool first = &kind == &kinds.front(),
-               stepped = kind.mass_ratio > 0.0 && kind.across == 1.0 && kind.building == one_mass;
+               stepped = kind.mass_ratio > 0.0 && kind.across == 1.0 && kind.building == one_mass &&
+                         kind.change == nullptr;
     std::vector<BatchScheme> schemes;
     if (first) {
       schemes.push_back(one_pass(trial.judged));

@@ -13,6 +13,7 @@ struct TwoAxisScene {
   BiaxialBuilding building;
   TwoAxisBlock block;
   BuildingFactors factors;
+  bool base_shear = false;  ///< wanted; the other results have the same bits without it
 };
 
 /// TwoAxisResult without path, speed and duration.
@@ -25,7 +26,8 @@ struct TwoAxisPeak {
   std::size_t slip_phases = 0;
   bool uplift = false;
   bool free_sliding = false;
-  bool failed = false;  ///< slide_on_building() did not converge: the rest is zero
+  std::array<double, 2> base_shear{};  ///< BuildingSlip::peak_base_shear, where it is wanted
+  bool failed = false;                 ///< slide_on_building() did not converge: the rest is zero
 };
 
 double srss_of_maxima_m(const TwoAxisPeak& peak);

@@ -40,8 +40,10 @@ double rise_by_secant(const Function& f, double f_low, double f_high, double low
 /// One history: all of it but its sliding, which the lanes do.
 class LaneHistory {
  public:
+  /// @param base_shear wanted
   LaneHistory(const SceneConstants& constants, RoofKind roof, const GroundNodes& ground,
-              std::shared_ptr<const RestTable> table, const DistanceCrossings& crossings);
+              std::shared_ptr<const RestTable> table, const DistanceCrossings& crossings,
+              bool base_shear);
 
   enum class Next {
     slides,  ///< in a lane, from the state on: by an implicit step first
@@ -64,6 +66,10 @@ class LaneHistory {
   }
   /// A lane's step reached it.
   void crossed(const LaneStates& lanes, std::size_t lane);
+  /// LaneStates::Shear::largest
+  const std::array<double, 2>& largest_a() const { return largest_a_; }
+  /// A lane's step might exceed it.
+  void raise_shear(const LaneStates& lanes, std::size_t lane);
   /// A lane's normal force was below zero.
   void lifted() { uplift_ = true; }
 
@@ -76,6 +82,15 @@ class LaneHistory {
   HistoryState resting_at(std::int64_t node, const RoofState& state) const;
   Next start(HistoryState& state);
   Next go_on_from_rest(HistoryState& state) const;
+
+  // Base shear (history_shear.cpp).
+  bool follows_shear() const { return largest_a_[0] != never; }
+  /// At rest, from a node to another.
+  void raise_shear(const RoofAtRest& roof, std::size_t from, std::size_t to);
+  /// At rest, from a node on.
+  void raise_shear_to_end(RoofAtRest& roof, std::size_t from);
+  /// Over a stop.
+  void raise_shear(const HistoryState& state, const Stop& stop);
 
   // Stops (history_stop.cpp).
   bool stop(HistoryState& state, const RoofPiece& piece);
@@ -103,6 +118,7 @@ class LaneHistory {
   std::size_t phases_ = 0;
   bool uplift_ = false;
   DistanceCrossings crossings_;
+  std::array<double, 2> largest_a_;
 };
 
 /// The block has moved by `displacement`, as `at` says (DistanceCrossings::pass).

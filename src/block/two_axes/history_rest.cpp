@@ -9,13 +9,15 @@
 
 namespace glissade::block_detail::two_axes {
 LaneHistory::LaneHistory(const SceneConstants& constants, RoofKind roof, const GroundNodes& ground,
-                         std::shared_ptr<const RestTable> table, const DistanceCrossings& crossings)
+                         std::shared_ptr<const RestTable> table, const DistanceCrossings& crossings,
+                         bool base_shear)
     : constants_(constants),
       ellipse_({constants.mu, constants.mu * constants.aspect}),
       roof_(roof),
       ground_(ground),
       table_(std::move(table)),
-      crossings_(crossings) {}
+      crossings_(crossings),
+      largest_a_(base_shear ? std::array{0.0, 0.0} : std::array{never, never}) {}
 
 std::int64_t LaneHistory::rows() const {
   if (table_->rows.empty()) return 0;
@@ -26,6 +28,10 @@ std::int64_t LaneHistory::rows() const {
 
 LaneHistory::Next LaneHistory::begin(HistoryState& state) {
   state = resting_at(0, {});
+  if (follows_shear() && !has_mass(roof_)) {
+    RoofAtRest alone(constants_, roof_, ground_, *table_, state);
+    raise_shear_to_end(alone, 0);
+  }
   if (release(piece(state)) == 0.0) return start(state);
   return rest_from_node(state);
 }
@@ -101,6 +107,7 @@ double LaneHistory::release(const RoofPiece& piece) {
 LaneHistory::Next LaneHistory::rest(HistoryState& state) {
   const RoofPiece rest_of_interval = piece(state);
   const double fraction = release(rest_of_interval);
+  if (has_mass(roof_)) rest_of_interval.raise(largest_a_, std::min(fraction, 1.0));
   rest_of_interval.move(state, std::min(fraction, 1.0));
   return fraction < 1.0 ? start(state) : rest_from_node(state);
 }
@@ -112,6 +119,7 @@ bool LaneHistory::starts_after(std::size_t node, const RoofAtRest& roof, History
   const RoofPiece interval = piece(at);
   const double fraction = release(interval);
   if (!(fraction < 1.0)) return false;
+  if (has_mass(roof_)) interval.raise(largest_a_, fraction);
   interval.move(at, fraction);
   LaneMotion<double>& m = state.motion;
   m.left = at.motion.left;
@@ -137,16 +145,23 @@ LaneHistory::Next LaneHistory::rest_from_node(HistoryState& state) {
     if (roof_ == RoofKind::modes && i >= quiet)  // what comes is known by its bound alone
       return roof.sticks_from(i) ? Next::finished : Next::unsupported;
     if (!roof.after_record() && i >= quiet) roof.end_record();
-    if (roof.sticks_from(i)) return Next::finished;
+    if (roof.sticks_from(i)) {
+      if (has_mass(roof_)) raise_shear_to_end(roof, i);
+      return Next::finished;
+    }
     if (i >= ground_.end) return ground_.ends_early() ? Next::unsupported : Next::finished;
-    const std::size_t end = roof.tile_end(i);
+    const std::size_t first = i, end = roof.tile_end(i);
     if (!roof.sticks_in_tile(i)) {
       for (i = roof.first_release(i, end); i <= end; i = roof.first_release(i + 1, end)) {
         const bool within = roof.after_record() || i < quiet;
-        if ((i > roof.base() && starts_in(i - 1)) || (within && starts_in(i))) return start(state);
+        if ((i > roof.base() && starts_in(i - 1)) || (within && starts_in(i))) {
+          if (has_mass(roof_)) raise_shear(roof, first, static_cast<std::size_t>(state.node));
+          return start(state);
+        }
       }
     }
     i = end;
+    if (has_mass(roof_)) raise_shear(roof, first, end);
     roof.renew(i);
   }
 }

@@ -35,8 +35,8 @@ void move_less(const SceneConstants& c, const std::array<double, 2>& less,
 
 RoofPiece::BlockVelocity LaneHistory::plan_velocity(Vector v) const {
   const double along = constants_.cosine2 * v.s, across = constants_.cosine * v.y;
-  return {constants_.c * along - constants_.s * across,
-          constants_.s * along + constants_.c * across};
+  return {
+      {constants_.c * along - constants_.s * across, constants_.s * along + constants_.c * across}};
 }
 
 LaneHistory::Next LaneHistory::event(HistoryState& state) {
@@ -128,6 +128,7 @@ void LaneHistory::take_stop(HistoryState& state, const RoofPiece& piece, const S
   LaneMotion<double>& m = state.motion;
   const Vector v = velocity(state), from{m.at_s, m.at_y};
   const double begin_s = time_s(state);
+  raise_shear(state, stop);
   piece.move(state, stop.time_s / piece.length_s());
   const Vector displacement = scaled(stop.displacement, {c.cosine2, c.cosine});
   if (has_mass(roof_)) {
@@ -135,7 +136,8 @@ void LaneHistory::take_stop(HistoryState& state, const RoofPiece& piece, const S
     const RoofPiece::BlockVelocity begin = plan_velocity(v);
     const double path_1 = c.c * displacement.s - c.s * displacement.y,
                  path_2 = c.s * displacement.s + c.c * displacement.y;
-    const double less_1 = path_1 - begin[0] * stop.time_s, less_2 = path_2 - begin[1] * stop.time_s;
+    const double less_1 = path_1 - begin.begin[0] * stop.time_s,
+                 less_2 = path_2 - begin.begin[1] * stop.time_s;
     if (roof_ == RoofKind::coupled_modes) {
       move_less(c, {less_1, less_2}, state.modes);
     } else {
@@ -190,6 +192,9 @@ TwoAxisPeak LaneHistory::result(const HistoryState& state) const {
   peak.residual = {m.at_s, m.at_y};
   peak.slip_phases = phases_;
   peak.uplift = uplift_;
+  if (follows_shear())
+    for (std::size_t n = 0; n < 2; ++n)
+      peak.base_shear[n] = largest_a_[n] / (constants_.per_mass * constants_.gravity);
   return peak;
 }
 

@@ -37,6 +37,12 @@ inline V Number(double value) { return hn::Set(Doubles(), value); }
 
 using Rows = LaneStates::Lanes;
 
+HWY_INLINE std::uint64_t Bits(Mask mask) {
+  std::uint8_t bits[8] = {};
+  hn::StoreMaskBits(Doubles(), mask, bits);
+  return bits[0];
+}
+
 /// The lanes of a vector: their numbers of a row, read from memory where they are used.
 struct Here {
   std::size_t first;
@@ -111,6 +117,7 @@ class RoofSeries {
   V v_s[velocity_terms], v_y[velocity_terms];
   V x_1[roof_order + 1], y_1[roof_order + 1], x_2[roof_order + 1], y_2[roof_order + 1];
   std::conditional_t<of_modes, ModeSeries, NoModes> modes;
+  V a_1[roof_order], a_2[roof_order];  // the roof, as far as the block's own rate has no part in it
   V p_s[load_terms], p_y[load_terms];  // load
   V weight[load_terms];                // n on a roof that the block does not accelerate
 
@@ -181,7 +188,6 @@ class RoofSeries {
   V phase_1, phase_2;
   V h_c, h_s, h_c_across, h_s_across;
   V b_1s, b_1y, b_2s, b_2y;  // from the block's velocity to its effect on the building's axes
-  V a_1[roof_order], a_2[roof_order];
 
   /// The acceleration of an axis over the rest of the interval.
   template <std::size_t axis>

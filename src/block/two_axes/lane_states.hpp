@@ -116,6 +116,14 @@ struct LaneStates {
     double begin_s[count], length_s[count], fraction[count];
   };
   alignas(64) Passed passed = {};
+  bool follows_shear = false;  ///< of any lane; else there is no Shear
+  /// For the base shear, by axis: the largest |acceleration| that the building alone gave the roof,
+  /// infinite where nobody asks; of a lane's last step that might exceed it a series in the
+  /// fraction of the interval's rest, up to `fraction`.
+  struct Shear {
+    double largest[2][count], a[2][row_terms][count], fraction[count];
+  };
+  alignas(64) Shear shear = {};
 
   template <template <class> class Fields>
   static void store(Fields<Lanes>& rows, std::size_t lane, const Fields<double>& column) {
@@ -162,6 +170,7 @@ struct Stepped {
   std::uint64_t other = 0;   ///< to go on by the other kind of step
   std::uint64_t passed = 0;  ///< reached LaneStates::next2
   std::uint64_t lifted = 0;  ///< without normal force
+  std::uint64_t shear = 0;   ///< might exceed LaneStates::Shear::largest
 };
 
 /// One step of every active lane.

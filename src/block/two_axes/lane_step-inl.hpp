@@ -13,6 +13,7 @@
 
 #include "implicit_series-inl.hpp"
 #include "lane_series-inl.hpp"
+#include "lane_shear-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace glissade::block_detail::two_axes::HWY_NAMESPACE {
@@ -235,12 +236,6 @@ HWY_INLINE void Commit(LaneStates& lanes, std::size_t first, Mask goes, const La
   commit(to.back_y, m.back_y);
 }
 
-HWY_INLINE std::uint64_t Bits(Mask mask) {
-  std::uint8_t bits[8] = {};
-  hn::StoreMaskBits(Doubles(), mask, bits);
-  return bits[0];
-}
-
 /// The displacement of a step as a series, for LaneHistory::crossed.
 template <int n>
 HWY_INLINE void KeepPath(double (&to)[LaneStates::path_terms][LaneStates::count], std::size_t first,
@@ -299,6 +294,9 @@ HWY_INLINE void Advance(LaneStates& lanes, const GroundRows& ground, Here here,
   Commit<roof>(lanes, first, goes, to);
   const auto moved = hn::RebindMask(di, hn::And(goes, whole));
   hn::Store(hn::IfThenElse(moved, interval.next, interval.node), di, lanes.node + first);
+
+  if constexpr (roof == RoofKind::coupled)
+    if (HWY_UNLIKELY(lanes.follows_shear)) stepped.shear = FollowShear(lanes, here, z, f, goes);
 
   const Mask reached = hn::And(goes, hn::Ge(to.farthest2, hn::Load(d, lanes.next2 + first)));
   if (HWY_UNLIKELY(!hn::AllFalse(d, reached))) {
@@ -499,6 +497,7 @@ HWY_INLINE void Add(const Stepped& some, std::size_t first, std::uint64_t active
   all.other |= (some.other & mask) << first;
   all.passed |= (some.passed & mask) << first;
   all.lifted |= (some.lifted & mask) << first;
+  all.shear |= (some.shear & mask) << first;
 }
 
 /// Calls what(first) for the vectors with active lanes.

@@ -107,10 +107,10 @@ struct TwoAxisLanes::State {
   void by_reference(const Batch& batch, std::size_t k) const {
     const TwoAxisScene& scene = batch.scenes[k];
     try {
-      const TwoAxisResult r =
+      const BuildingSlip on_building =
           slide_on_building(ground, scene.factors, scene.building, scene.block, batch.thresholds_m,
-                            batch.crossings_of(k), tolerance)
-              .slip;
+                            batch.crossings_of(k), tolerance);
+      const TwoAxisResult& r = on_building.slip;
       batch.peaks[k] = {r.peak_displacement_m,
                         r.peak_by_axis,
                         r.peak_downslope_m,
@@ -119,6 +119,7 @@ struct TwoAxisLanes::State {
                         r.slip_phases,
                         r.uplift,
                         r.free_sliding,
+                        scene.base_shear ? on_building.peak_base_shear : std::array{0.0, 0.0},
                         false};
     } catch (const NotConverged&) {
       batch.peaks[k] = {.failed = true};
@@ -159,9 +160,13 @@ struct OwnedLanes {
     lanes.next2[lane] = next->history.next2();
     lanes.limit[lane] = next->history.limit();
     lanes.rows[lane] = next->history.rows();
+    keep_shear(lane, next->history);
     steps[lane] = next->implicit_steps;
     lanes.active |= std::uint64_t{1} << lane;
     owners[lane] = std::move(next);
+  }
+  void keep_shear(std::size_t lane, const LaneHistory& history) {
+    for (std::size_t n = 0; n < 2; ++n) lanes.shear.largest[n][lane] = history.largest_a()[n];
   }
   std::unique_ptr<Underway> take(std::size_t lane) {
     LaneStates::load(lanes.motion, lane, owners[lane]->state.motion);
@@ -198,10 +203,13 @@ class Pool {
   /// @param tasks those on one building are neighbours
   void run(std::span<const std::size_t> tasks) {
     tasks_ = tasks;
-    for (const std::size_t k : tasks)
+    for (const std::size_t k : tasks) {
       if (roof_ == RoofKind::coupled_modes)
         taylor_.lanes.modes = std::max(taylor_.lanes.modes, modes_of(batch_.scenes[k]));
+      taylor_.lanes.follows_shear |= batch_.scenes[k].base_shear;
+    }
     implicit_.lanes.modes = taylor_.lanes.modes;
+    implicit_.lanes.follows_shear = taylor_.lanes.follows_shear;
     for (;;) {
       while (next_ < tasks_.size() && underway_ < most_underway) begin(tasks_[next_++]);
       for (OwnedLanes* lanes : {&taylor_, &implicit_}) lanes->fill();
@@ -224,7 +232,8 @@ class Pool {
     auto next = std::make_unique<Underway>(
         Underway{LaneHistory(block_detail::two_axes::constants_of(s, state_.tolerance), roof_,
                              state_.nodes, std::move(table),
-                             DistanceCrossings(batch_.thresholds_m, batch_.crossings_of(scene))),
+                             DistanceCrossings(batch_.thresholds_m, batch_.crossings_of(scene)),
+                             s.base_shear),
                  {},
                  scene});
     go_on(std::move(next), &LaneHistory::begin);
@@ -239,6 +248,11 @@ class Pool {
     const std::uint64_t too_long =
         owned.kind == StepKind::implicit ? owned.count(most_implicit_steps()) : 0;
     for_each(stepped.lifted, [&](std::size_t lane) { owned.owners[lane]->history.lifted(); });
+    for_each(stepped.shear, [&](std::size_t lane) {
+      LaneHistory& history = owned.owners[lane]->history;
+      history.raise_shear(lanes, lane);
+      owned.keep_shear(lane, history);
+    });
     for_each(stepped.passed, [&](std::size_t lane) {
       LaneHistory& history = owned.owners[lane]->history;
       history.crossed(lanes, lane);

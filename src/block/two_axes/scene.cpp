@@ -29,6 +29,13 @@ bool fits_lanes(const Modes& axis, double longest_phase, double dt_s) {
   });
 }
 
+/// Of one mass, or rigid without the block's mass.
+bool gives_base_shear(const TwoAxisScene& scene) {
+  const RoofKind roof = roof_of(scene);
+  return roof == RoofKind::building || roof == RoofKind::coupled ||
+         (roof == RoofKind::rigid && scene.building.mass_ratio == 0.0);
+}
+
 }  // namespace
 
 RoofKind roof_of(const TwoAxisScene& scene) {
@@ -50,6 +57,7 @@ bool fits_lanes(const TwoAxisScene& scene, const BuildingGround& ground) {
         block.friction.along < most_friction))
     return false;
   if (first.rigid() != second.rigid()) return false;
+  if (scene.base_shear && !gives_base_shear(scene)) return false;
   const double dt_s = ground.horizontal[0]->step_s();
   const RoofKind roof = roof_of(scene);
   const bool of_modes = roof == RoofKind::modes || roof == RoofKind::coupled_modes;

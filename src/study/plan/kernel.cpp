@@ -43,9 +43,8 @@ KernelFunction function_of(Kernel kernel, const StudyConfig& config, const Case&
   const bool elastic = !c.yields() && c.law.is_coulomb();
   if (kernel == Kernel::coupled && !elastic && config.building.is_one_mass())
     return KernelFunction::slide_coupled;
-  return elastic && !config.base_shear && !oscillates(config, c)
-             ? KernelFunction::peak_slip_two_axes
-             : KernelFunction::slide_on_building;
+  return elastic && !oscillates(config, c) ? KernelFunction::peak_slip_two_axes
+                                           : KernelFunction::slide_on_building;
 }
 
 }  // namespace

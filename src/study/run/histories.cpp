@@ -127,8 +127,8 @@ class TableHistories : public Histories {
 };
 
 /// Building and array coupled, on one axis or two; the building may yield, and friction have any
-/// law: in the lanes of two axes, of which the second may be at rest, but for base shear, and on
-/// one axis events that the lanes do not have.
+/// law: in the lanes of two axes, of which the second may be at rest, but on one axis events that
+/// the lanes do not have.
 class CoupledHistories : public Histories {
  public:
   CoupledHistories(const Scene& scene, RoofStore& roofs, TwoAxisBatch& batch)
@@ -165,17 +165,19 @@ class CoupledHistories : public Histories {
   }
 
   void prepare(double level) override {
-    if (!runs_alone()) batch_.add(lanes_, {building_, block_, factors(level)}, level, known_);
+    if (!is_by_events())
+      batch_.add(lanes_, {building_, block_, factors(level), scene_.plan.config.base_shear}, level,
+                 known_);
   }
   bool is_ready(double level) const override {
-    if (runs_alone()) return true;
+    if (is_by_events()) return true;
     const auto known = known_.find(level);
     return known != known_.end() && known->second.is_run;
   }
 
   History at(double level, std::span<Crossing> crossings, WorkCount& count) override {
     ++count.integrated;
-    if (runs_alone()) return alone(level, crossings);
+    if (is_by_events()) return by_events(level, crossings);
     if (!is_ready(level)) {
       prepare(level);
       batch_.run();
@@ -195,32 +197,24 @@ class CoupledHistories : public Histories {
     return scene_.plan.kernel.kernel == Kernel::coupled && building_.horizontal[0].is_one_mass() &&
            (scene_.c.yields() || !scene_.c.law.is_coulomb());
   }
-  bool runs_alone() const { return scene_.plan.config.base_shear || is_by_events(); }
 
-  History alone(double level, std::span<Crossing> crossings) const {
+  History by_events(double level, std::span<Crossing> crossings) const {
     const auto thresholds_m = crossings.empty() ? std::span<const double>() : scene_.thresholds_m();
-    if (is_by_events()) {
-      const CoupledBuilding building{building_.horizontal[0][0].oscillator(), building_.mass_ratio,
-                                     building_.yielding[0]};
-      const MotionFactors along{factors(level).horizontal[0], factors(level).vertical};
-      const SlipResult slip =
-          slide_coupled(on_one_axis_, along, building, scene_.block, thresholds_m, crossings).slip;
-      return {.peak_displacement_m = slip.peak_displacement_m, .uplift = slip.uplift};
-    }
-    const BuildingSlip on_building =
-        slide_on_building(ground_, factors(level), building_, block_, thresholds_m, crossings);
-    History found = history(on_building.slip);
-    found.base_shear = on_building.peak_base_shear;
-    return found;
+    const CoupledBuilding building{building_.horizontal[0][0].oscillator(), building_.mass_ratio,
+                                   building_.yielding[0]};
+    const MotionFactors along{factors(level).horizontal[0], factors(level).vertical};
+    const SlipResult slip =
+        slide_coupled(on_one_axis_, along, building, scene_.block, thresholds_m, crossings).slip;
+    return {.peak_displacement_m = slip.peak_displacement_m, .uplift = slip.uplift};
   }
 
-  template <class Slip>
-  History history(const Slip& slip) const {
+  History history(const TwoAxisPeak& slip) const {
     const bool srss = scene_.plan.config.model.displacement == DisplacementMeasure::srss;
     return {.peak_displacement_m = srss ? srss_of_maxima_m(slip) : slip.peak_displacement_m,
             .peak_vector_m = slip.peak_displacement_m,
             .peak_by_axis_m = {slip.peak_by_axis.along_m, slip.peak_by_axis.across_m},
             .residual_m = {slip.residual.along_m, slip.residual.across_m},
+            .base_shear = slip.base_shear,
             .uplift = slip.uplift};
   }
 

@@ -55,6 +55,7 @@ std::vector<TwoAxisScene> made_up_scenes(Kind kind, std::size_t count, unsigned 
     s.block.azimuth_rad = uniform(random, -3.0, 3.0);
     const double factor = std::exp(uniform(random, std::log(0.2), std::log(2.0)));
     s.factors = {{random() % 2 == 0 ? factor : -factor, factor}, factor};
+    s.base_shear = kind != Kind::modes && kind != Kind::coupled_modes;
   }
   return scenes;
 }
@@ -85,10 +86,10 @@ double error(const TwoAxisPeak& p, const TwoAxisResult& r) {
 std::vector<double> numbers(std::span<const TwoAxisPeak> peaks) {
   std::vector<double> all;
   for (const TwoAxisPeak& p : peaks)
-    all.insert(all.end(),
-               {p.peak_displacement_m, p.peak_by_axis.along_m, p.peak_by_axis.across_m,
-                p.peak_downslope_m, p.peak_upslope_m, p.residual.along_m, p.residual.across_m,
-                static_cast<double>(p.slip_phases), p.uplift ? 1.0 : 0.0});
+    all.insert(all.end(), {p.peak_displacement_m, p.peak_by_axis.along_m, p.peak_by_axis.across_m,
+                           p.peak_downslope_m, p.peak_upslope_m, p.residual.along_m,
+                           p.residual.across_m, static_cast<double>(p.slip_phases),
+                           p.uplift ? 1.0 : 0.0, p.base_shear[0], p.base_shear[1]});
   return all;
 }
 
@@ -155,6 +156,34 @@ TEST(peak_slip_two_axes, converges_with_its_tolerance) {
       EXPECT_LT(on_ellipses[on_ellipses.size() / 2], 2.0 * tolerance);
       const bool one_scene = kind == Kind::coupled && tolerance == 1e-4;  // at 55 tolerances
       EXPECT_LT(on_ellipses.back(), (one_scene ? 60.0 : 10.0) * tolerance);
+    }
+  }
+}
+
+TEST(peak_slip_two_axes, base_shear_is_that_of_the_reference_and_changes_no_other_bit) {
+  OnBuilding made(41, 900, 6.0);
+  made.dt_s = 0.01;
+  for (const std::size_t samples : {900u, 150u}) {  // the building rings on where the record ends
+    for (auto* component : {&made.first, &made.second, &made.up}) component->resize(samples);
+    const BuildingGround ground = made.ground();
+    for (const Kind kind : {Kind::rigid, Kind::uncoupled, Kind::coupled}) {
+      SCOPED_TRACE(static_cast<int>(kind));
+      auto scenes = made_up_scenes(kind, 60, 42);
+      const std::vector<TwoAxisPeak> peaks = solve(ground, scenes);
+      std::vector<double> errors;
+      for (std::size_t k = 0; k < scenes.size(); ++k) {
+        const TwoAxisScene& s = scenes[k];
+        const BuildingSlip r = slide_on_building(ground, s.factors, s.building, s.block, 1e-9);
+        for (const std::size_t n : {0u, 1u})
+          errors.push_back(std::abs(peaks[k].base_shear[n] / r.peak_base_shear[n] - 1.0));
+      }
+      std::sort(errors.begin(), errors.end());
+      EXPECT_LT(errors[errors.size() / 2], 1e-8);
+      EXPECT_LT(errors.back(), 1e-6);
+      std::vector<TwoAxisPeak> others = peaks;
+      for (TwoAxisPeak& peak : others) peak.base_shear = {};
+      for (TwoAxisScene& s : scenes) s.base_shear = false;
+      EXPECT_EQ(numbers(solve(ground, scenes)), numbers(others));
     }
   }
 }
@@ -226,6 +255,7 @@ TEST(peak_slip_two_axes, what_does_not_fit_the_lanes_is_the_reference) {
   scenes[5].building.horizontal[0][0].period_s = 0.05;
   scenes[6].block.slope_rad = 0.3;
   scenes[8].building.mass_ratio = 0.0;
+  for (const std::size_t wanted : {0u, 1u, 2u, 3u, 4u, 5u, 6u}) scenes[wanted].base_shear = true;
   const Mode too_short[] = {{0.5, 1.3, 0.9, 0.05}, {0.02, -0.3, 0.1, 0.05}};
   scenes[7].building.horizontal[0] = scenes[8].building.horizontal[0] = Modes(too_short);
   const auto expect_reference = [](const BuildingGround& ground,

@@ -106,18 +106,35 @@ bool RoofAtRest::sticks_from(std::size_t node) const {
   return sticks(a, std::abs(constants_.factor_w) * ground_.w_to_come(k));
 }
 
-double RoofAtRest::deviation(std::size_t axis, std::size_t tile) const {
+double RoofAtRest::deviation(std::size_t axis, std::size_t node) const {
   const double free = free_deviation_[axis];
-  return after_record_ ? free : free + std::abs(factor(axis)) * table_.deviation[axis][tile];
+  return after_record_ ? free
+                       : free + std::abs(factor(axis)) * table_.deviation[axis][node / tile_nodes];
+}
+
+std::array<double, 2> RoofAtRest::acceleration(std::size_t node) const {
+  std::array<double, 2> a{};
+  for (std::size_t n = 0; n < 2; ++n) {
+    if (!after_record_) a[n] = factor(n) * table_.a[n][node];
+    for (std::size_t k = 0; k < table_.free[n].size(); ++k) {
+      const FreeVibration& free = table_.free[n][k];
+      a[n] += free.acceleration(free.after(node - base_, free_[n][k]));
+    }
+  }
+  return a;
+}
+
+std::array<double, 2> RoofAtRest::bound_in_tile(std::size_t node) const {
+  std::array<double, 2> a = free_bound_;
+  for (std::size_t n = 0; n < 2 && !after_record_; ++n)
+    a[n] += std::abs(factor(n)) * table_.tile[n][node / tile_nodes] + deviation(n, node);
+  return a;
 }
 
 bool RoofAtRest::sticks_in_tile(std::size_t node) const {
   if (after_record_) return false;
-  const std::size_t k = node / tile_nodes;
-  std::array<double, 2> a;
-  for (std::size_t n = 0; n < 2; ++n)
-    a[n] = free_bound_[n] + std::abs(factor(n)) * table_.tile[n][k] + deviation(n, k);
-  return sticks(a, std::abs(constants_.factor_w) * ground_.largest_w(k));
+  return sticks(bound_in_tile(node),
+                std::abs(constants_.factor_w) * ground_.largest_w(node / tile_nodes));
 }
 
 std::size_t RoofAtRest::tile_end(std::size_t node) const {
@@ -127,9 +144,8 @@ std::size_t RoofAtRest::tile_end(std::size_t node) const {
 
 std::size_t RoofAtRest::first_release(std::size_t from, std::size_t end) const {
   const Constants<double>& c = constants_;
-  const std::size_t k = from / tile_nodes;
   const double rounding = 1e-12 * c.gravity;
-  const double needed = (deviation(0, k) + deviation(1, k)) *
+  const double needed = (deviation(0, from) + deviation(1, from)) *
                             (std::max(1.0, c.per_aspect) / c.cosine + c.mu * c.tangent) +
                         rounding;
   RestMotion motion;

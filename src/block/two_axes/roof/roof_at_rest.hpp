@@ -31,6 +31,11 @@ class RoofAtRest {
   /// The block sticks from this node to `tile_end`.
   bool sticks_in_tile(std::size_t node) const;
   std::size_t tile_end(std::size_t node) const;
+  /// The roof's acceleration at a node, and its largest |value| by axis from there to `tile_end`.
+  std::array<double, 2> acceleration(std::size_t node) const;
+  std::array<double, 2> bound_in_tile(std::size_t node) const;
+  /// By how much it leaves its chord in the tile of a node, at most.
+  double deviation(std::size_t axis, std::size_t node) const;
   /// The first node, up to and including `end`, where friction might not hold
   /// the block in the interval before or after it; or end + 1.
   std::size_t first_release(std::size_t from, std::size_t end) const;
@@ -47,7 +52,6 @@ class RoofAtRest {
   RoofState free_at(std::size_t node) const;
   void set_free(std::size_t node, const RoofState& state);
   void set_bounds(const RoofState& free);
-  double deviation(std::size_t axis, std::size_t tile) const;
 
   const SceneConstants& constants_;
   RoofKind roof_;

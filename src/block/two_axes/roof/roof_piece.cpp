@@ -84,12 +84,13 @@ void RoofPiece::respond(const RoofState& state, const BlockVelocity& block_veloc
   for (std::size_t n = 0; n < 2; ++n) {
     const double phase = omega[n] * length_s_;
     const double forcing[] = {ground_[n], ground_end_[n] - ground_[n]};
-    const double b = omega_rho[n] * block_velocity[n];
+    const double b[] = {omega_rho[n] * block_velocity.begin[n],
+                        omega_rho[n] * block_velocity.rise[n]};
     Terms &x = x_[n][0], &y = y_[n][0], &a = a_[n];
     x[0] = state[n][0].x;
     y[0] = state[n][0].y;
     for (std::size_t k = 0; k < static_cast<std::size_t>(terms_); ++k) {
-      const double rate = k == 0 ? y[k] - b : y[k];
+      const double rate = k < 2 ? y[k] - b[k] : y[k];
       a[k] = -(damping[n] * rate + x[k]) * c.per_mass;
       if (k + 1 == static_cast<std::size_t>(terms_)) break;
       const double factor = phase * Series::inverse[k + 1];
@@ -118,7 +119,8 @@ void RoofPiece::respond_on_modes(const RoofState& state, const BlockVelocity& bl
       double rate[most_modes], e[most_modes], sum = of.ground_share[axis] * ground;
       for (std::size_t n = 0; n < count_[axis]; ++n) {
         rate[n] = y_[axis][n][k];
-        if (k == 0) rate[n] -= of.omega_share[axis][n] * block_velocity[axis];
+        if (k == 0) rate[n] -= of.omega_share[axis][n] * block_velocity.begin[axis];
+        if (k == 1) rate[n] -= of.omega_share[axis][n] * block_velocity.rise[axis];
         e[n] = -(of.twice_zeta[axis][n] * rate[n] + x_[axis][n][k]);
         sum += e[n];
       }
@@ -163,6 +165,16 @@ double RoofPiece::bend() const {
   for (std::size_t k = 2; k < static_cast<std::size_t>(terms_); ++k)
     second += static_cast<double>(k * (k - 1)) * (std::abs(a_[0][k]) + std::abs(a_[1][k]));
   return 0.125 * second * reserve_per_acceleration();
+}
+
+void RoofPiece::raise(std::array<double, 2>& most, double tau) const {
+  for (std::size_t n = 0; n < 2; ++n) {
+    Terms sizes;
+    std::transform(a_[n].begin(), a_[n].begin() + terms_, sizes.begin(),
+                   [](double c) { return std::abs(c); });
+    if (sum(sizes, terms_, tau) > most[n])
+      most[n] = std::max(most[n], largest(Series{a_[n], terms_}, tau));
+  }
 }
 
 void RoofPiece::move(HistoryState& state, double tau) const {

@@ -27,8 +27,10 @@ struct HistoryState {
 /// has no part in it, and the vertical.
 class RoofPiece {
  public:
-  /// The block's velocity in plan by the building's axes, as if it stayed.
-  using BlockVelocity = std::array<double, 2>;
+  /// The block's velocity in plan by the building's axes, and how much it rises over the piece.
+  struct BlockVelocity {
+    std::array<double, 2> begin{}, rise{};
+  };
   RoofPiece(const HistoryState& state, const GroundNodes& ground, const RestTable& table,
             const SceneConstants& constants, RoofKind roof, const BlockVelocity& block_velocity);
 
@@ -38,12 +40,14 @@ class RoofPiece {
   double deviation() const;
   /// The same on the chord over a part of the piece, over the square of that part's length.
   double bend() const;
+  /// Raises the largest |acceleration| by axis to that of the roof up to a fraction of the piece.
+  void raise(std::array<double, 2>& largest, double tau) const;
   /// Takes the ground and the building to a fraction of the piece.
   void move(HistoryState& state, double tau) const;
 
  private:
   static constexpr int most_terms = 20;
-  using Terms = std::array<double, most_terms>;
+  using Terms = std::array<double, most_terms>;  // Series::c
   static double sum(const Terms& c, int terms, double tau) {
     double total = c[static_cast<std::size_t>(terms) - 1];
     for (int k = terms - 1; k-- > 0;) total = total * tau + c[static_cast<std::size_t>(k)];
