@@ -213,6 +213,12 @@ std::vector<SchemeResult> two_axes_precision(const test::StandardScenes& all, st
       {"m/M 0.05", periods_s, 0.05},
       {"m/M 0.05, base shear", periods_s, 0.05, 1.0, one_mass,
        [](Scene& s) { s.base_shear = true; }},
+      {"m/M 0.05, static friction", periods_s, 0.05, 1.0, one_mass,
+       [](Scene& s) { s.block.law.static_over_sliding = 1.2; }},
+      {"m/M 0.05, yielding", periods_s, 0.05, 1.0, one_mass,
+       [](Scene& s) {
+         s.building.yielding = {Yielding{2.0, 0.02}, Yielding{2.0, 0.02}};
+       }},
       {"m/M 0.05, 1 mode", tall_s, 0.05, 1.0, cantilever<1>},
       {"m/M 0.05, 3 modes", tall_s, 0.05, 1.0, cantilever<3>},
       {"m/M 0.05, 5 modes", tall_s, 0.05, 1.0, cantilever<5>},

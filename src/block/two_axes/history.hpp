@@ -49,6 +49,7 @@ class LaneHistory {
     slides,  ///< in a lane, from the state on: by an implicit step first
     finished,
     unsupported,  ///< something the lanes do not cover: it is for the scalar scheme
+    rests,        ///< on a spring that has yielded or unloaded (inside LaneHistory)
   };
   /// From rest at the first node.
   Next begin(HistoryState& state);
@@ -78,7 +79,8 @@ class LaneHistory {
   Next rest(HistoryState& state);
   Next rest_from_node(HistoryState& state);
   double release(const RoofPiece& piece);
-  bool starts_after(std::size_t node, const RoofAtRest& roof, HistoryState& state);
+  Next next_after(std::size_t node, const RoofAtRest& roof, HistoryState& state);
+  void change_spring(HistoryState& state, const RoofPiece::SpringEvent& event) const;
   HistoryState resting_at(std::int64_t node, const RoofState& state) const;
   Next start(HistoryState& state);
   Next go_on_from_rest(HistoryState& state) const;
@@ -93,6 +95,8 @@ class LaneHistory {
   void raise_shear(const HistoryState& state, const Stop& stop);
 
   // Stops (history_stop.cpp).
+  RoofPiece stopping_piece(const HistoryState& state, const Stop& stop) const;
+  bool meets_spring_event(const HistoryState& state, const Stop& stop) const;
   bool stop(HistoryState& state, const RoofPiece& piece);
   bool reverse(HistoryState& state, const RoofPiece& piece);
   double deceleration(const Load& load, Vector v) const;

@@ -28,12 +28,17 @@ std::int64_t LaneHistory::rows() const {
 
 LaneHistory::Next LaneHistory::begin(HistoryState& state) {
   state = resting_at(0, {});
+  for (std::size_t n = 0; n < 2; ++n) {
+    state.springs.high[n] = 0.5 * constants_.springs.range[n];
+    state.springs.low[n] = -state.springs.high[n];
+  }
   if (follows_shear() && !has_mass(roof_)) {
     RoofAtRest alone(constants_, roof_, ground_, *table_, state);
     raise_shear_to_end(alone, 0);
   }
   if (release(piece(state)) == 0.0) return start(state);
-  return rest_from_node(state);
+  const Next next = rest_from_node(state);
+  return next == Next::rests ? rest(state) : next;
 }
 
 HistoryState LaneHistory::resting_at(std::int64_t node, const RoofState& state) const {
@@ -104,21 +109,50 @@ double LaneHistory::release(const RoofPiece& piece) {
   return rise_above_chord(excess, {0.0, std::min(begin, 0.0)}, {1.0, end}, piece.bend());
 }
 
-LaneHistory::Next LaneHistory::rest(HistoryState& state) {
-  const RoofPiece rest_of_interval = piece(state);
-  const double fraction = release(rest_of_interval);
-  if (has_mass(roof_)) rest_of_interval.raise(largest_a_, std::min(fraction, 1.0));
-  rest_of_interval.move(state, std::min(fraction, 1.0));
-  return fraction < 1.0 ? start(state) : rest_from_node(state);
+/// A spring yields, or is elastic again from where it is.
+void LaneHistory::change_spring(HistoryState& state, const RoofPiece::SpringEvent& event) const {
+  SpringMotion<double>& springs = state.springs;
+  const std::size_t n = event.axis;
+  if (event.direction == 0) {
+    const double force = n == 0 ? state.motion.x_1 : state.motion.x_2;
+    const bool from_above = springs.direction[n] > 0.0;
+    springs.high[n] = from_above ? force : force + constants_.springs.range[n];
+    springs.low[n] = from_above ? force - constants_.springs.range[n] : force;
+  }
+  springs.direction[n] = event.direction;
 }
 
-/// Moves the state to where the block starts to slide in the interval after a
-/// node. Returns false where it does not.
-bool LaneHistory::starts_after(std::size_t node, const RoofAtRest& roof, HistoryState& state) {
+LaneHistory::Next LaneHistory::rest(HistoryState& state) {
+  for (;;) {
+    const RoofPiece rest_of_interval = piece(state);
+    const double released = release(rest_of_interval);
+    const RoofPiece::SpringEvent event = rest_of_interval.next_event(state.springs);
+    const double fraction = std::min({released, event.at, 1.0});
+    if (has_mass(roof_)) rest_of_interval.raise(largest_a_, fraction);
+    rest_of_interval.move(state, fraction);
+    if (event.at == fraction) {
+      change_spring(state, event);
+    } else if (released < 1.0) {
+      return start(state);
+    } else if (!state.any_yields()) {
+      const Next next = rest_from_node(state);
+      if (next != Next::rests) return next;
+    } else if (state.node >= limit()) {
+      return Next::unsupported;
+    }
+  }
+}
+
+/// What happens first in the interval after a node, and the state there: Next::finished, and the
+/// state as it was, where nothing does.
+LaneHistory::Next LaneHistory::next_after(std::size_t node, const RoofAtRest& roof,
+                                          HistoryState& state) {
   HistoryState at = resting_at(static_cast<std::int64_t>(node), roof.state(node));
   const RoofPiece interval = piece(at);
-  const double fraction = release(interval);
-  if (!(fraction < 1.0)) return false;
+  const double released = release(interval);
+  const RoofPiece::SpringEvent event = interval.next_event(state.springs);
+  const double fraction = std::min(released, event.at);
+  if (!(fraction < 1.0)) return Next::finished;
   if (has_mass(roof_)) interval.raise(largest_a_, fraction);
   interval.move(at, fraction);
   LaneMotion<double>& m = state.motion;
@@ -128,7 +162,9 @@ bool LaneHistory::starts_after(std::size_t node, const RoofAtRest& roof, History
   m.w = at.motion.w;
   state.set_roof(roof_, at.roof(roof_));
   state.node = at.node;
-  return true;
+  if (event.at > fraction) return Next::slides;
+  change_spring(state, event);
+  return Next::rests;
 }
 
 LaneHistory::Next LaneHistory::rest_from_node(HistoryState& state) {
@@ -136,10 +172,10 @@ LaneHistory::Next LaneHistory::rest_from_node(HistoryState& state) {
   const auto begin = static_cast<std::size_t>(state.node);
   const std::size_t quiet = table_->end;
   std::size_t next_interval = begin;  // the first not looked into
-  const auto starts_in = [&](std::size_t interval) {
-    if (interval < next_interval) return false;
+  const auto next_in = [&](std::size_t interval) {
+    if (interval < next_interval) return Next::finished;
     next_interval = interval + 1;
-    return starts_after(interval, roof, state);
+    return next_after(interval, roof, state);
   };
   for (std::size_t i = begin;;) {
     if (roof_ == RoofKind::modes && i >= quiet)  // what comes is known by its bound alone
@@ -154,10 +190,11 @@ LaneHistory::Next LaneHistory::rest_from_node(HistoryState& state) {
     if (!roof.sticks_in_tile(i)) {
       for (i = roof.first_release(i, end); i <= end; i = roof.first_release(i + 1, end)) {
         const bool within = roof.after_record() || i < quiet;
-        if ((i > roof.base() && starts_in(i - 1)) || (within && starts_in(i))) {
-          if (has_mass(roof_)) raise_shear(roof, first, static_cast<std::size_t>(state.node));
-          return start(state);
-        }
+        Next next = i > roof.base() ? next_in(i - 1) : Next::finished;
+        if (next == Next::finished && within) next = next_in(i);
+        if (next == Next::finished) continue;
+        if (has_mass(roof_)) raise_shear(roof, first, static_cast<std::size_t>(state.node));
+        return next == Next::slides ? start(state) : next;
       }
     }
     i = end;

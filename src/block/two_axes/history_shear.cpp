@@ -43,13 +43,9 @@ void LaneHistory::raise_shear_to_end(RoofAtRest& roof, std::size_t from) {
   }
 }
 
-/// The block's velocity falls to zero.
 void LaneHistory::raise_shear(const HistoryState& state, const Stop& stop) {
-  if (!follows_shear() || !has_mass(roof_)) return;
-  const double fraction = stop.time_s / (ground_.dt_s * state.motion.left);
-  RoofPiece::BlockVelocity v = plan_velocity({state.motion.v_s, state.motion.v_y});
-  for (std::size_t n = 0; n < 2; ++n) v.rise[n] = -v.begin[n] / fraction;
-  piece(state, v).raise(largest_a_, fraction);
+  if (follows_shear() && has_mass(roof_))
+    stopping_piece(state, stop).raise(largest_a_, stop.time_s / (ground_.dt_s * state.motion.left));
 }
 
 void LaneHistory::raise_shear(const LaneStates& lanes, std::size_t lane) {

@@ -49,8 +49,11 @@ LaneHistory::Next LaneHistory::event(HistoryState& state) {
   const RoofPiece rest_of_interval = piece(state, plan_velocity(v));
   if (frictionless_normal(rest_of_interval.load(0.0)) > 0.0) {
     if (stop(state, rest_of_interval)) return rest(state);
-    if (speed <= constants_.tolerance * m.fastest && reverse(state, rest_of_interval))
-      return go_on_from_rest(state);
+    if (speed <= constants_.no_speed * m.fastest && reverse(state, rest_of_interval)) {
+      const bool holds = constants_.mu_at_rest > constants_.mu &&
+                         friction_reserve(piece(state).load(0.0), constants_) >= 0.0;
+      return holds ? rest(state) : go_on_from_rest(state);
+    }
   }
   m.forced = 1.0;
   return Next::slides;
@@ -91,6 +94,7 @@ bool LaneHistory::stop(HistoryState& state, const RoofPiece& piece) {
   if (certain_rest_s(residual_speed, stop.time_s, length_s, ellipse_, load_at) == never)
     return false;
   const Vector out = scaled({m.at_s, m.at_y}, {c.cosine2, c.cosine}), last = found.last;
+  if (meets_spring_event(state, stop)) return false;
   const bool passes_no_peak =
       v.s * last.s >= 0.0 && v.y * last.y >= 0.0 && dot(out, v) * dot(out, last) >= 0.0;
   const bool may_cross = crossings_.may_reach(std::sqrt(m.farthest2) + stop.path);
@@ -112,8 +116,23 @@ bool LaneHistory::reverse(HistoryState& state, const RoofPiece& piece) {
   zero.time_s = time_s;
   zero.displacement = (0.5 * time_s) * v;
   zero.path = 0.5 * time_s * speed;
+  if (meets_spring_event(state, zero)) return false;
   take_stop(state, piece, zero);
   return true;
+}
+
+/// What is left of the interval, with a velocity of the block that falls to zero over the stop.
+RoofPiece LaneHistory::stopping_piece(const HistoryState& state, const Stop& stop) const {
+  const double fraction = stop.time_s / (ground_.dt_s * state.motion.left);
+  RoofPiece::BlockVelocity v = plan_velocity(velocity(state));
+  for (std::size_t n = 0; n < 2; ++n) v.rise[n] = -v.begin[n] / fraction;
+  return piece(state, v);
+}
+
+bool LaneHistory::meets_spring_event(const HistoryState& state, const Stop& stop) const {
+  if (roof_ != RoofKind::yielding) return false;
+  const RoofPiece piece = stopping_piece(state, stop);
+  return piece.next_event(state.springs).at <= stop.time_s / piece.length_s();
 }
 
 /// By which the speed of v falls under a load.
@@ -141,8 +160,11 @@ void LaneHistory::take_stop(HistoryState& state, const RoofPiece& piece, const S
     if (roof_ == RoofKind::coupled_modes) {
       move_less(c, {less_1, less_2}, state.modes);
     } else {
-      m.x_1 -= c.omega_1 * c.omega_rho_1 * less_1;
-      m.x_2 -= c.omega_2 * c.omega_rho_2 * less_2;
+      const auto stiffness = [&](std::size_t n) {
+        return state.springs.direction[n] == 0.0 ? 1.0 : c.springs.hardening[n];
+      };
+      m.x_1 -= stiffness(0) * (c.omega_1 * c.omega_rho_1 * less_1);
+      m.x_2 -= stiffness(1) * (c.omega_2 * c.omega_rho_2 * less_2);
       m.y_1 += c.omega_1 * c.omega_rho_1 * c.twice_zeta_1 * c.per_mass * less_1;
       m.y_2 += c.omega_2 * c.omega_rho_2 * c.twice_zeta_2 * c.per_mass * less_2;
     }

@@ -294,7 +294,7 @@ class ImplicitSeries : public RoofSeries<roof, cubic, roof == RoofKind::rigid ? 
       brakes = hn::Max(n - coupling * s, zero);
     }
     if constexpr (!of_modes) y = p_y[0] - brakes * (here(c.aspect) * e_y);
-    if constexpr (roof == RoofKind::coupled) y = y * here(c.per_kappa_y);
+    if constexpr (is_one_mass_with_block(roof)) y = y * here(c.per_kappa_y);
     if (HWY_UNLIKELY(!hn::AllFalse(Doubles(), rests))) {
       const Velocity start = Braked<true>({zero, zero}, one, p_s[0], p_y[0], weight[0], zero,
                                           stage_sigma[0], stage_lambda[0]);

@@ -46,7 +46,8 @@ HWY_INLINE std::uint64_t Bits(Mask mask) {
 /// The lanes of a vector: their numbers of a row, read from memory where they are used.
 struct Here {
   std::size_t first;
-  HWY_INLINE V operator()(const Rows& row) const { return hn::Load(Doubles(), row + first); }
+  HWY_INLINE V operator()(const Rows& row) const { return Row(row); }
+  HWY_INLINE V Row(const double* row) const { return hn::Load(Doubles(), row + first); }
 };
 
 /// Loops over orders are unrolled: each order is a constant, and its series
@@ -117,6 +118,7 @@ class RoofSeries {
   V v_s[velocity_terms], v_y[velocity_terms];
   V x_1[roof_order + 1], y_1[roof_order + 1], x_2[roof_order + 1], y_2[roof_order + 1];
   std::conditional_t<of_modes, ModeSeries, NoModes> modes;
+  V rate_1[roof_order], rate_2[roof_order];  // y without the block's part, where the roof yields
   V a_1[roof_order], a_2[roof_order];  // the roof, as far as the block's own rate has no part in it
   V p_s[load_terms], p_y[load_terms];  // load
   V weight[load_terms];                // n on a roof that the block does not accelerate
@@ -138,7 +140,7 @@ class RoofSeries {
     h_s = h * here(c.s);
     h_c_across = h * here(c.c_across);
     h_s_across = h * here(c.s_across);
-    if constexpr (roof == RoofKind::coupled) {
+    if constexpr (is_one_mass_with_block(roof)) {
       b_1s = here(c.omega_rho_1) * (here(c.c) * here(c.cosine2));
       b_1y = here(c.omega_rho_1) * (here(c.s) * here(c.cosine));
       b_2s = here(c.omega_rho_2) * (here(c.s) * here(c.cosine2));
@@ -162,6 +164,10 @@ class RoofSeries {
     } else if constexpr (has_state(roof)) {
       phase_1 = here(c.omega_1) * h;
       phase_2 = here(c.omega_2) * h;
+      if constexpr (roof == RoofKind::yielding) {
+        spring_phase_1 = phase_1 * Stiffness(states, 0);
+        spring_phase_2 = phase_2 * Stiffness(states, 1);
+      }
       x_1[0] = here(m.x_1);
       y_1[0] = here(m.y_1);
       x_2[0] = here(m.x_2);
@@ -185,7 +191,7 @@ class RoofSeries {
 
  private:
   const Ramped &ground_1, &ground_2, &up;
-  V phase_1, phase_2;
+  V phase_1, phase_2, spring_phase_1, spring_phase_2;
   V h_c, h_s, h_c_across, h_s_across;
   V b_1s, b_1y, b_2s, b_2y;  // from the block's velocity to its effect on the building's axes
 
@@ -214,17 +220,28 @@ class RoofSeries {
     });
   }
 
+  /// Of a spring, over that of the elastic one.
+  HWY_INLINE V Stiffness(const LaneStates& states, std::size_t axis) const {
+    const Mask elastic = hn::Eq(here(states.spring_motion.direction[axis]), hn::Zero(Doubles()));
+    return hn::IfThenElse(elastic, Number(1.0), here(states.spring_constants.hardening[axis]));
+  }
+
   /// One axis of the building, and its acceleration as far as the block's own
   /// has no part in it.
   template <int k>
-  HWY_INLINE void Respond(V* x, V* y, V* a, V phase, V twice_zeta, V block_velocity,
-                          const Ramped& ground) {
+  HWY_INLINE void Respond(V* x, V* y, V* a, V* rates, V phase, V spring_phase, V twice_zeta,
+                          V block_velocity, const Ramped& ground) {
     V rate = y[k];
-    if constexpr (roof == RoofKind::coupled && k < velocity_terms) rate = rate - block_velocity;
+    if constexpr (is_one_mass_with_block(roof) && k < velocity_terms) rate = rate - block_velocity;
     a[k] = hn::Neg(twice_zeta * rate + x[k]);
-    if constexpr (roof == RoofKind::coupled) a[k] = a[k] * here(c.per_mass);
+    if constexpr (is_one_mass_with_block(roof)) a[k] = a[k] * here(c.per_mass);
     const V factor = phase * Number(inverse[k + 1]);
-    x[k + 1] = factor * rate;
+    if constexpr (roof == RoofKind::yielding) {
+      rates[k] = rate;
+      x[k + 1] = (spring_phase * Number(inverse[k + 1])) * rate;
+    } else {
+      x[k + 1] = factor * rate;
+    }
     V rise = a[k];
     if constexpr (k == 0) rise = rise - ground.begin;
     if constexpr (k == 1) rise = rise - ground.rise;
@@ -271,8 +288,10 @@ class RoofSeries {
       RespondModes<k>(1, a_2, block_rate_2, ground_2);
       return;
     }
-    Respond<k>(x_1, y_1, a_1, phase_1, here(c.twice_zeta_1), block_rate_1, ground_1);
-    Respond<k>(x_2, y_2, a_2, phase_2, here(c.twice_zeta_2), block_rate_2, ground_2);
+    Respond<k>(x_1, y_1, a_1, rate_1, phase_1, spring_phase_1, here(c.twice_zeta_1), block_rate_1,
+               ground_1);
+    Respond<k>(x_2, y_2, a_2, rate_2, phase_2, spring_phase_2, here(c.twice_zeta_2), block_rate_2,
+               ground_2);
   }
 
   template <int k>
@@ -376,7 +395,7 @@ class StepSeries : public RoofSeries<roof, order + 1, order> {
     };
     ForOrders<1, k + 1>(subtract);
     V d_s, d_y;
-    if constexpr (roof == RoofKind::coupled) {
+    if constexpr (is_one_mass_with_block(roof)) {
       const V coupling = here(c.mu) * here(c.rho_sin_cos);
       if constexpr (k == 0) per_kappa = hn::Div(Number(1.0), here(c.kappa) - coupling * e_s);
       d_s = (s - n * e_s) * per_kappa;

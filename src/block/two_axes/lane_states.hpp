@@ -10,11 +10,15 @@
 namespace glissade::block_detail::two_axes {
 
 /// What the block lies on: ground; a building, of one mass or of several modes, without the mass of
-/// the block; both with it.
-enum class RoofKind { rigid, building, modes, coupled, coupled_modes };
+/// the block; both with it; one mass that yields, with it or without.
+enum class RoofKind { rigid, building, modes, coupled, coupled_modes, yielding };
 
+/// Whether the block moves it, in the equations at least.
 constexpr bool has_mass(RoofKind roof) {
-  return roof == RoofKind::coupled || roof == RoofKind::coupled_modes;
+  return roof == RoofKind::coupled || roof == RoofKind::coupled_modes || roof == RoofKind::yielding;
+}
+constexpr bool is_one_mass_with_block(RoofKind roof) {
+  return roof == RoofKind::coupled || roof == RoofKind::yielding;
 }
 /// Whether the building's state goes with the block: else the roof is known beforehand.
 constexpr bool has_state(RoofKind roof) { return roof == RoofKind::building || has_mass(roof); }
@@ -47,10 +51,12 @@ template <class Number>
 struct Constants {
   Number factor_1, factor_2, factor_w;
   Number gravity, mu, tangent, cosine,
-      cosine2;                ///< of the slope; cosine2 its square
+      cosine2;  ///< of the slope; cosine2 its square
+  Number mu_at_rest;
   Number c, s;                ///< cosine and sine of the azimuth
   Number c_across, s_across;  ///< the same over the slope's cosine
   Number tolerance;
+  Number no_speed;            ///< counts as none, over the largest so far
   Number aspect, per_aspect;  ///< of the friction: across over along, and its inverse
   Number omega_1, omega_2, twice_zeta_1, twice_zeta_2,
       per_mass;  ///< per_mass = 1 / (1 + r)
@@ -87,10 +93,28 @@ struct ModeConstants {
   Number feedback_damping, feedback_spring;  ///< ImplicitSeries::FeedBack
 };
 
+/// The springs of a building that yields (theory.md, 2.3), by axis. The spring's force, scaled as
+/// LaneMotion::x, takes its place: elastic between two limits, it yields beyond them.
+template <class Number>
+struct SpringMotion {
+  Number low[2], high[2];
+  Number direction[2];  ///< of yielding, +1 or -1; 0: elastic
+};
+
+/// What does not change of them.
+template <class Number>
+struct SpringConstants {
+  Number hardening[2];
+  Number range[2];   ///< between the limits; infinite where the axis does not yield
+  Number margin[2];  ///< far below the tolerance: how far beyond a limit it yields, so that a step
+                     ///< from there does not begin with an event
+};
+
 /// What does not change in a history, with `modes` on a roof of coupled_modes.
 struct SceneConstants : Constants<double> {
   std::size_t count[2] = {};  ///< of modes
   ModeConstants<double> modes{};
+  SpringConstants<double> springs{};
 };
 
 /// Histories that slide, side by side.
@@ -103,6 +127,8 @@ struct LaneStates {
   std::size_t modes = 0;  ///< of an axis, at most; else there is no ModeMotion
   alignas(64) ModeMotion<Lanes> mode_motion = {};
   alignas(64) ModeConstants<Lanes> mode_constants = {};
+  alignas(64) SpringMotion<Lanes> spring_motion = {};  ///< of RoofKind::yielding, as the constants
+  alignas(64) SpringConstants<Lanes> spring_constants = {};
   alignas(64) std::int64_t node[count] = {};   ///< before which sample interval's begin
   alignas(64) std::int64_t limit[count] = {};  ///< node from which on the lane does not go
   alignas(64) std::int64_t rows[count] = {};   ///< RestTable::rows, from GroundRows::nodes on
@@ -177,5 +203,7 @@ struct Stepped {
 Stepped step(LaneStates& lanes, const GroundRows& ground, RoofKind roof, StepKind kind);
 /// The same on a roof that the block accelerates, compiled by itself.
 Stepped coupled_step(LaneStates& lanes, const GroundRows& ground, RoofKind roof, StepKind kind);
+/// The same on one that yields.
+Stepped yielding_step(LaneStates& lanes, const GroundRows& ground, StepKind kind);
 
 }  // namespace glissade::block_detail::two_axes

@@ -12,56 +12,13 @@
 #include <limits>
 
 #include "implicit_series-inl.hpp"
+#include "lane_root-inl.hpp"
 #include "lane_series-inl.hpp"
 #include "lane_shear-inl.hpp"
+#include "lane_springs-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace glissade::block_detail::two_axes::HWY_NAMESPACE {
-
-/// The root of a function that changes sign on [0, to], by the Illinois rule after bisections.
-template <int bisections = 0, class Function>
-HWY_INLINE V Root(const Function& function, V to, V at_begin, V at_end) {
-  V low = hn::Zero(Doubles()), high = to, f_low = at_begin, f_high = at_end, x = to;
-  for (int i = 0; i < bisections; ++i) {
-    x = Number(0.5) * (low + high);
-    const V value = function(x);
-    const Mask as_high = hn::Ge(value * f_high, hn::Zero(Doubles()));
-    f_low = hn::IfThenElse(as_high, f_low, value);
-    low = hn::IfThenElse(as_high, low, x);
-    f_high = hn::IfThenElse(as_high, value, f_high);
-    high = hn::IfThenElse(as_high, x, high);
-  }
-  for (int i = 0; i < 9; ++i) {
-    const V change = f_high - f_low;
-    const Mask flat = hn::Eq(change, hn::Zero(Doubles()));
-    x = low - hn::Div(f_low * (high - low), hn::IfThenElse(flat, Number(1.0), change));
-    x = hn::IfThenElse(flat, low, x);
-    const V value = function(x);
-    const Mask as_high = hn::Ge(value * f_high, hn::Zero(Doubles()));
-    f_low = hn::IfThenElse(as_high, f_low * Number(0.5), value);
-    low = hn::IfThenElse(as_high, low, x);
-    f_high = hn::IfThenElse(as_high, value, f_high * Number(0.5));
-    high = hn::IfThenElse(as_high, x, high);
-  }
-  return x;
-}
-
-/// Terms of a power series. What is seldom needed takes copies of them: the address of a series
-/// would keep all of it in memory.
-template <int n>
-struct Terms {
-  V of[n];
-
-  explicit HWY_INLINE Terms(const V (&terms)[n]) {
-    ForOrders<0, n>([&](auto k) GLISSADE_INLINE_LAMBDA { of[k] = terms[k]; });
-  }
-};
-
-template <int bisections = 0, int n>
-HWY_NOINLINE V RootOf(Terms<n> f, V to, V at_begin, V at_end) {
-  return Root<bisections>([&](V x) GLISSADE_INLINE_LAMBDA { return Polynomial(f.of, x); }, to,
-                          at_begin, at_end);
-}
 
 /// Of the permitted error of a stop. LaneHistory::stop() sees more of the load's change than a
 /// lane: below this it takes most stops at once, which else need a stiff step before.
@@ -295,7 +252,7 @@ HWY_INLINE void Advance(LaneStates& lanes, const GroundRows& ground, Here here,
   const auto moved = hn::RebindMask(di, hn::And(goes, whole));
   hn::Store(hn::IfThenElse(moved, interval.next, interval.node), di, lanes.node + first);
 
-  if constexpr (roof == RoofKind::coupled)
+  if constexpr (is_one_mass_with_block(roof))
     if (HWY_UNLIKELY(lanes.follows_shear)) stepped.shear = FollowShear(lanes, here, z, f, goes);
 
   const Mask reached = hn::And(goes, hn::Ge(to.farthest2, hn::Load(d, lanes.next2 + first)));
@@ -319,6 +276,19 @@ HWY_INLINE V LongestFraction(const LaneStates& lanes, Here here, V h) {
   return one;
 }
 
+/// An implicit step may end so much after an event of a spring, as a fraction of it.
+constexpr double event_window = 1e-7;
+
+/// The springs' events in a step up to t; on other roofs nothing.
+template <RoofKind roof, class Series>
+HWY_INLINE auto SpringEventsOf([[maybe_unused]] const LaneStates& lanes, [[maybe_unused]] Here here,
+                               [[maybe_unused]] const Series& z, [[maybe_unused]] V t) {
+  if constexpr (roof == RoofKind::yielding)
+    return SpringEvents(lanes, here, z, t);
+  else
+    return 0;
+}
+
 /// One step of neighbouring lanes by a Taylor series; see Stepped.
 template <RoofKind roof>
 HWY_INLINE Stepped TaylorStep(LaneStates& lanes, const GroundRows& ground, Here here) {
@@ -330,7 +300,9 @@ HWY_INLINE Stepped TaylorStep(LaneStates& lanes, const GroundRows& ground, Here 
   LaneMotion<V> to{};
   to.fastest = hn::Max(here(m.fastest), z.speed[0]);
   const V longest = LongestFraction<roof>(lanes, here, i.h);
-  const V f = StepFraction(z, longest, Number(series_share) * here(c.tolerance) * to.fastest);
+  V f = StepFraction(z, longest, Number(series_share) * here(c.tolerance) * to.fastest);
+  [[maybe_unused]] const auto events = SpringEventsOf<roof>(lanes, here, z, f);
+  if constexpr (roof == RoofKind::yielding) f = hn::Min(f, events.First());
   to.path = here(m.path) + (i.h * f) * z.speed[0];
   to.v_s = Polynomial(z.v_s, f);
   to.v_y = Polynomial(z.v_y, f);
@@ -346,6 +318,7 @@ HWY_INLINE Stepped TaylorStep(LaneStates& lanes, const GroundRows& ground, Here 
   const Mask goes = hn::AndNot(event, smooth);
   Stepped stepped;
   Advance<roof>(lanes, ground, here, i, z, z.v_s, z.v_y, f, goes, to, stepped);
+  if constexpr (roof == RoofKind::yielding) events.Take(lanes, here, goes, f, to.x_1, to.x_2);
   stepped.event = Bits(event);
   stepped.other = Bits(hn::Not(smooth)) & ~stepped.event;
   return stepped;
@@ -380,7 +353,7 @@ HWY_INLINE V TrialFraction(const ImplicitSeries<roof>& z, const LaneStates& lane
       hn::Div(hn::IfThenElse(falls, Number(2.0) * speed, root - first_brakes),
               hn::IfThenElse(falls, first_brakes + root, hn::IfThenElse(will_fall, growth, one)));
   const Mask stops =
-      hn::And(hn::Or(falls, will_fall), hn::Gt(speed, here(c.tolerance) * here(m.fastest)));
+      hn::And(hn::Or(falls, will_fall), hn::Gt(speed, here(c.no_speed) * here(m.fastest)));
   f = hn::IfThenElse(stops, hn::Min(f, Number(approach_to_stop) * stops_at), f);
 
   // To where the block lifts off, or lands: where the normal force without friction is zero.
@@ -388,7 +361,7 @@ HWY_INLINE V TrialFraction(const ImplicitSeries<roof>& z, const LaneStates& lane
   const V slope = here(c.mu) * hn::Div(here(c.rho_sin_cos), here(c.kappa));
   ForOrders<0, sizeof(z.weight) / sizeof(V)>([&](auto k) GLISSADE_INLINE_LAMBDA {
     terms[k] = z.weight[k];
-    if constexpr (roof == RoofKind::coupled) terms[k] = terms[k] - slope * z.p_s[k];
+    if constexpr (is_one_mass_with_block(roof)) terms[k] = terms[k] - slope * z.p_s[k];
     if constexpr (roof == RoofKind::coupled_modes)
       terms[k] = terms[k] - here(c.mu) * (here(lanes.mode_constants.lift_s) * z.p_s[k] +
                                           here(lanes.mode_constants.lift_y) * z.p_y[k]);
@@ -423,7 +396,7 @@ class ImplicitStep {
     // A speed within the tolerance, against the load (LaneHistory::reverse).
     speed = z.Length(here(m.v_s), here(m.v_y));
     const Mask slowest =
-        hn::And(hn::Le(speed, here(c.tolerance) * here(m.fastest)),
+        hn::And(hn::Le(speed, here(c.no_speed) * here(m.fastest)),
                 hn::And(hn::Gt(z.weight[0], zero),
                         hn::Le(z.p_s[0] * here(m.v_s) + z.p_y[0] * here(m.v_y), zero)));
     const Mask may_end = hn::Eq(here(m.forced), zero);
@@ -450,13 +423,25 @@ class ImplicitStep {
     const V error = z.Error(), allowed = Allowed(to.fastest);
     const Mask accurate = hn::Or(hn::Le(error, allowed), hn::Le(f, Number(shortest_step)));
     const Mask finite = hn::Lt(error, Number(never));
-    const Mask goes = hn::AndNot(event, hn::And(accurate, finite));
+    Mask goes = hn::AndNot(event, hn::And(accurate, finite));
+    [[maybe_unused]] const auto events = SpringEventsOf<roof>(lanes, here, z, f);
     // step_factor() in sdirk4.hpp.
     const V ratio = hn::Div(allowed, hn::Max(error, Number(1e-4) * allowed));
     const V factor =
         hn::Min(hn::Max(Number(step_safety) * hn::Sqrt(hn::Sqrt(ratio)), Number(least_step_factor)),
                 Number(most_step_factor));
-    const V trial = hn::IfThenElse(finite, (f * here(m.left)) * factor, zero);
+    V trial = hn::IfThenElse(finite, (f * here(m.left)) * factor, zero);
+    [[maybe_unused]] Mask springs_change = goes, at_begin = goes;
+    if constexpr (roof == RoofKind::yielding) {
+      // Once more, up to the event; one at the begin needs no step.
+      const V first = events.First();
+      const Mask beyond = hn::And(goes, hn::Lt(first, f * Number(1.0 - event_window)));
+      at_begin = hn::And(beyond, hn::Lt(first, Number(shortest_step)));
+      trial = hn::IfThenElse(beyond, hn::IfThenElse(at_begin, here(m.trial), first * here(m.left)),
+                             trial);
+      goes = hn::AndNot(beyond, goes);
+      springs_change = hn::Or(goes, at_begin);
+    }
     const V next_trial = hn::IfThenElse(event, here(m.trial), trial);
 
     const V end_weight = Polynomial(z.weight, f);
@@ -470,6 +455,9 @@ class ImplicitStep {
     stepped.other = Bits(hn::And(goes, hn::And(fast, pressed))) & ~stepped.event;
     stepped.lifted = Bits(lifted);
     Advance<roof>(lanes, ground, here, i, z, z.v_s, z.v_y, f, goes, to, stepped);
+    if constexpr (roof == RoofKind::yielding)
+      events.Take(lanes, here, springs_change, f, hn::IfThenElse(at_begin, z.x_1[0], to.x_1),
+                  hn::IfThenElse(at_begin, z.x_2[0], to.x_2));
     hn::Store(next_trial, d, lanes.motion.trial + here.first);
     return stepped;
   }

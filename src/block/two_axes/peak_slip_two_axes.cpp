@@ -140,7 +140,8 @@ struct Underway {
 /// Lanes, and whose they are.
 struct OwnedLanes {
   StepKind kind;
-  LaneStates lanes;
+  bool of_springs;  ///< RoofKind::yielding
+  LaneStates lanes = {};
   std::unique_ptr<Underway> owners[LaneStates::count] = {};
   std::uint32_t steps[LaneStates::count] = {};          ///< Underway::implicit_steps
   std::vector<std::unique_ptr<Underway>> waiting = {};  ///< for a lane
@@ -155,6 +156,10 @@ struct OwnedLanes {
     if (lanes.modes > 0) {
       LaneStates::store(lanes.mode_constants, lane, next->history.constants().modes);
       LaneStates::store(lanes.mode_motion, lane, next->state.modes);
+    }
+    if (of_springs) {
+      LaneStates::store(lanes.spring_constants, lane, next->history.constants().springs);
+      LaneStates::store(lanes.spring_motion, lane, next->state.springs);
     }
     lanes.node[lane] = next->state.node;
     lanes.next2[lane] = next->history.next2();
@@ -171,6 +176,7 @@ struct OwnedLanes {
   std::unique_ptr<Underway> take(std::size_t lane) {
     LaneStates::load(lanes.motion, lane, owners[lane]->state.motion);
     if (lanes.modes > 0) LaneStates::load(lanes.mode_motion, lane, owners[lane]->state.modes);
+    if (of_springs) LaneStates::load(lanes.spring_motion, lane, owners[lane]->state.springs);
     owners[lane]->state.node = lanes.node[lane];
     lanes.node[lane] = lanes.rows[lane] = 0;  // its vector may still read there
     owners[lane]->implicit_steps = steps[lane];
@@ -308,7 +314,8 @@ class Pool {
   Batch batch_;
   std::span<const std::size_t> tasks_;
   std::size_t next_ = 0, underway_ = 0;
-  OwnedLanes taylor_{StepKind::taylor}, implicit_{StepKind::implicit};
+  OwnedLanes taylor_{StepKind::taylor, roof_ == RoofKind::yielding};
+  OwnedLanes implicit_{StepKind::implicit, roof_ == RoofKind::yielding};
 };
 
 }  // namespace
@@ -342,7 +349,7 @@ void TwoAxisLanes::slide(std::span<const TwoAxisScene> scenes, std::span<TwoAxis
     scenes = of_modes;
   }
   const Batch batch{scenes, peaks, thresholds_m, crossings};
-  std::array<std::vector<std::size_t>, 5> tasks;  // by roof
+  std::array<std::vector<std::size_t>, 6> tasks;  // by roof
   for (std::size_t k = 0; k < scenes.size(); ++k) {
     require_finite_scene(scenes[k].building, scenes[k].block, scenes[k].factors);
     if (block_detail::two_axes::fits_lanes(scenes[k], state_->ground))
@@ -351,7 +358,7 @@ void TwoAxisLanes::slide(std::span<const TwoAxisScene> scenes, std::span<TwoAxis
       state_->by_reference(batch, k);
   }
   for (const RoofKind roof : {RoofKind::rigid, RoofKind::building, RoofKind::modes,
-                              RoofKind::coupled, RoofKind::coupled_modes}) {
+                              RoofKind::coupled, RoofKind::coupled_modes, RoofKind::yielding}) {
     std::vector<std::size_t>& on_roof = tasks[static_cast<std::size_t>(roof)];
     if (on_roof.empty()) continue;
     std::ranges::stable_sort(on_roof, {},

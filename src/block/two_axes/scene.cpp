@@ -29,10 +29,14 @@ bool fits_lanes(const Modes& axis, double longest_phase, double dt_s) {
   });
 }
 
+bool yields(const BiaxialBuilding& building) {
+  return building.yielding[0].yields() || building.yielding[1].yields();
+}
+
 /// Of one mass, or rigid without the block's mass.
 bool gives_base_shear(const TwoAxisScene& scene) {
   const RoofKind roof = roof_of(scene);
-  return roof == RoofKind::building || roof == RoofKind::coupled ||
+  return roof == RoofKind::building || is_one_mass_with_block(roof) ||
          (roof == RoofKind::rigid && scene.building.mass_ratio == 0.0);
 }
 
@@ -41,6 +45,7 @@ bool gives_base_shear(const TwoAxisScene& scene) {
 RoofKind roof_of(const TwoAxisScene& scene) {
   const auto& [first, second] = scene.building.horizontal;
   if (first.rigid()) return RoofKind::rigid;
+  if (yields(scene.building)) return RoofKind::yielding;
   const bool one_mass = first.is_one_mass() && second.is_one_mass();
   if (scene.building.mass_ratio > 0.0)
     return one_mass ? RoofKind::coupled : RoofKind::coupled_modes;
@@ -50,7 +55,7 @@ RoofKind roof_of(const TwoAxisScene& scene) {
 bool fits_lanes(const TwoAxisScene& scene, const BuildingGround& ground) {
   const TwoAxisBlock& block = scene.block;
   const auto& [first, second] = scene.building.horizontal;
-  if (!block.law.is_coulomb()) return false;
+  if (block.law.depends_on_speed()) return false;
   const double aspect = block.friction.across / block.friction.along;
   if (!(aspect >= least_aspect && aspect <= most_aspect)) return false;
   if (!(block.friction.along > least_friction * std::tan(block.slope_rad) &&
@@ -64,8 +69,7 @@ bool fits_lanes(const TwoAxisScene& scene, const BuildingGround& ground) {
   const double phase = of_modes ? longest_phase_of_modes : longest_phase_in_lanes;
   if (!first.rigid() && !(fits_lanes(first, phase, dt_s) && fits_lanes(second, phase, dt_s)))
     return false;
-  for (const Yielding& spring : scene.building.yielding)
-    if (spring.yields()) return false;
+  if (first.rigid() && yields(scene.building)) return false;
   return ground.vertical == nullptr || ground.vertical->rigid();
 }
 
@@ -135,13 +139,15 @@ void set_modes(const TwoAxisScene& scene, SceneConstants& c) {
 SceneConstants constants_of(const TwoAxisScene& scene, double tolerance) {
   const TwoAxisBlock& block = scene.block;
   const RoofKind roof = roof_of(scene);
-  const double r = roof == RoofKind::coupled ? scene.building.mass_ratio : 0.0, rho = r / (1.0 + r);
+  const double r = is_one_mass_with_block(roof) ? scene.building.mass_ratio : 0.0,
+               rho = r / (1.0 + r);
   SceneConstants c{};
   c.factor_1 = scene.factors.horizontal[0];
   c.factor_2 = scene.factors.horizontal[1];
   c.factor_w = scene.factors.vertical;
   c.gravity = block.gravity_mps2;
   c.mu = block.friction.along;
+  c.mu_at_rest = block.law.static_over_sliding * c.mu;
   c.tangent = std::tan(block.slope_rad);
   c.cosine = std::cos(block.slope_rad);
   c.cosine2 = c.cosine * c.cosine;
@@ -150,6 +156,8 @@ SceneConstants constants_of(const TwoAxisScene& scene, double tolerance) {
   c.c_across = c.c / c.cosine;
   c.s_across = c.s / c.cosine;
   c.tolerance = tolerance;
+  constexpr double held_at = 0.1;  // static friction: a block that is as slow may stick
+  c.no_speed = (block.law.static_over_sliding > 1.0 ? held_at : 1.0) * tolerance;
   c.aspect = block.friction.across / block.friction.along;
   c.per_aspect = 1.0 / c.aspect;
   const auto& axes = scene.building.horizontal;
@@ -165,6 +173,13 @@ SceneConstants constants_of(const TwoAxisScene& scene, double tolerance) {
   c.per_kappa_y = 1.0 + r;
   c.anisotropy = c.per_kappa_y * (std::abs(1.0 / c.per_kappa_y - c.kappa) + c.mu * c.rho_sin_cos);
   if (roof == RoofKind::coupled_modes) set_modes(scene, c);
+  for (std::size_t n = 0; n < 2; ++n) {
+    const Yielding& spring = scene.building.yielding[n];
+    c.springs.hardening[n] = spring.hardening_ratio;
+    c.springs.range[n] = 2.0 * spring.yield_acceleration_mps2;
+    constexpr double negligible = 1e-11;  // of the yield force
+    c.springs.margin[n] = spring.yields() ? negligible * spring.yield_acceleration_mps2 : 0.0;
+  }
   return c;
 }
 

@@ -7,8 +7,8 @@
 
 namespace glissade::block_detail::two_axes {
 
-/// Whether the lanes can take a history: Coulomb friction that stops the block, an elastic building
-/// of periods that the ground's step resolves, a rigid vertical.
+/// Whether the lanes can take a history: friction that stops the block whatever its speed, a
+/// building of periods that the ground's step resolves, a rigid vertical.
 bool fits_lanes(const TwoAxisScene& scene, const BuildingGround& ground);
 
 RoofKind roof_of(const TwoAxisScene& scene);

@@ -40,11 +40,13 @@ constexpr const char* function_names[] = {"peak_slip", "slide_coupled", "peak_sl
 
 KernelFunction function_of(Kernel kernel, const StudyConfig& config, const Case& c) {
   if (kernel == Kernel::tables) return KernelFunction::peak_slip;
-  const bool elastic = !c.yields() && c.law.is_coulomb();
-  if (kernel == Kernel::coupled && !elastic && config.building.is_one_mass())
+  const bool has_events = c.yields() || !c.law.is_coulomb();
+  if (kernel == Kernel::coupled && has_events && config.building.is_one_mass())
     return KernelFunction::slide_coupled;
-  return elastic && !oscillates(config, c) ? KernelFunction::peak_slip_two_axes
-                                           : KernelFunction::slide_on_building;
+  const bool shear_of_modes = config.base_shear && !config.building.is_one_mass();
+  return c.law.depends_on_speed() || shear_of_modes || oscillates(config, c)
+             ? KernelFunction::slide_on_building
+             : KernelFunction::peak_slip_two_axes;
 }
 
 }  // namespace

@@ -19,9 +19,9 @@ namespace two_axis_lanes_test {
 using test::OnBuilding;
 using test::uniform;
 
-enum class Kind { rigid, uncoupled, modes, coupled, coupled_modes };
-constexpr Kind all_kinds[] = {Kind::rigid, Kind::uncoupled, Kind::modes, Kind::coupled,
-                              Kind::coupled_modes};
+enum class Kind { rigid, uncoupled, modes, coupled, coupled_modes, yielding };
+constexpr Kind all_kinds[] = {Kind::rigid,   Kind::uncoupled,     Kind::modes,
+                              Kind::coupled, Kind::coupled_modes, Kind::yielding};
 
 /// Two to six modes, or one that is not one mass, of 0.05 s and longer.
 Modes cantilever(double period_s, double alpha, std::size_t count = most_modes) {
@@ -47,8 +47,13 @@ std::vector<TwoAxisScene> made_up_scenes(Kind kind, std::size_t count, unsigned 
       const double period_s = s.building.horizontal[0].period_s();
       s.building.horizontal = {cantilever(period_s, 2.0), cantilever(0.8 * period_s, 10.0)};
     }
-    if (kind == Kind::coupled || kind == Kind::coupled_modes)
+    if (kind == Kind::coupled || kind == Kind::coupled_modes || kind == Kind::yielding)
       s.building.mass_ratio = 0.02 + 0.04 * static_cast<double>(k / 4 % 3);
+    if (kind == Kind::yielding) {
+      if (k % 5 == 0) s.building.mass_ratio = 0.0;
+      s.building.yielding[0] = {uniform(random, 1.0, 6.0), k % 3 == 0 ? 0.0 : 0.05};
+      if (k % 4 != 0) s.building.yielding[1] = {uniform(random, 1.0, 6.0), 0.02};
+    }
     const double mu = uniform(random, 0.05, 0.6);
     s.block.friction = {mu, k % 3 == 0 ? mu : uniform(random, 0.6, 1.6) * mu};
     s.block.slope_rad = uniform(random, 0.0, 0.9) * std::min(std::atan(mu), 0.2);
@@ -160,13 +165,41 @@ TEST(peak_slip_two_axes, converges_with_its_tolerance) {
   }
 }
 
+std::vector<TwoAxisScene> with_static_friction(std::vector<TwoAxisScene> scenes) {
+  for (std::size_t k = 0; k < scenes.size(); ++k)
+    scenes[k].block.law.static_over_sliding = 1.02 + 0.1 * static_cast<double>(k % 7);
+  return scenes;
+}
+
+/// Of every model that a kind of roof can have.
+std::vector<TwoAxisScene> scenes_of_all_models(Kind kind, std::size_t count, unsigned seed) {
+  std::vector<TwoAxisScene> all = made_up_scenes(kind, count, seed);
+  for (const TwoAxisScene& s : with_static_friction(made_up_scenes(kind, count, seed + 1)))
+    all.push_back(s);
+  return all;
+}
+
+// Slip is discontinuous where the block almost comes to rest: one scene may be another one.
+TEST(peak_slip_two_axes, static_friction_holds_as_in_the_reference) {
+  for (const Kind kind : all_kinds) {
+    SCOPED_TRACE(static_cast<int>(kind));
+    for (const double tolerance : {1e-5, 1e-6, 1e-8}) {
+      const auto scenes = with_static_friction(made_up_scenes(kind, 60, 43));
+      const std::vector<double> found = errors(ground_of(44), scenes, tolerance);
+      ASSERT_GT(found.size(), 30u);
+      EXPECT_LT(found[found.size() / 2], tolerance);
+      EXPECT_LT(found[found.size() - 2], 30.0 * tolerance);
+    }
+  }
+}
+
 TEST(peak_slip_two_axes, base_shear_is_that_of_the_reference_and_changes_no_other_bit) {
   OnBuilding made(41, 900, 6.0);
   made.dt_s = 0.01;
   for (const std::size_t samples : {900u, 150u}) {  // the building rings on where the record ends
     for (auto* component : {&made.first, &made.second, &made.up}) component->resize(samples);
     const BuildingGround ground = made.ground();
-    for (const Kind kind : {Kind::rigid, Kind::uncoupled, Kind::coupled}) {
+    for (const Kind kind : {Kind::rigid, Kind::uncoupled, Kind::coupled, Kind::yielding}) {
       SCOPED_TRACE(static_cast<int>(kind));
       auto scenes = made_up_scenes(kind, 60, 42);
       const std::vector<TwoAxisPeak> peaks = solve(ground, scenes);
@@ -248,8 +281,9 @@ TEST(peak_slip_two_axes, what_does_not_fit_the_lanes_is_the_reference) {
   std::vector<TwoAxisScene> scenes = made_up_scenes(Kind::coupled, 9, 10);
   for (TwoAxisScene& s : scenes) s.block.friction = {0.2, 0.2};
   scenes[0].block.friction.across = 0.09;
-  scenes[1].block.law.static_over_sliding = 1.2;
+  scenes[1].block.law = {1.0, 0.7, 20.0};
   scenes[2].block.law = {1.0, 1.5, 20.0};
+  scenes[3].block.law = {1.0, 1.5, 20.0};
   scenes[3].building.yielding[1] = {2.0, 0.05};
   scenes[4].building.horizontal[1][0].period_s = 0.0;
   scenes[5].building.horizontal[0][0].period_s = 0.05;
@@ -357,7 +391,7 @@ TEST(peak_slip_two_axes, zero_motion_moves_nothing) {
   const auto rest = std::make_shared<GroundTable>(0.01, std::vector<double>(100, 0.0));
   for (const Kind kind : all_kinds)
     for (const double number :
-         numbers(solve({{rest, rest}, nullptr}, made_up_scenes(kind, 40, 12))))
+         numbers(solve({{rest, rest}, nullptr}, scenes_of_all_models(kind, 40, 12))))
       EXPECT_EQ(number, 0.0);
 }
 
@@ -368,14 +402,14 @@ TEST(peak_slip_two_axes, zeros_after_the_record_change_not_a_bit) {
   for (auto* samples : {&padded.first, &padded.second, &padded.up})
     samples->insert(samples->end(), 300, 0.0);
   for (const Kind kind : all_kinds) {
-    const auto scenes = made_up_scenes(kind, 40, 14);
+    const auto scenes = scenes_of_all_models(kind, 40, 14);
     EXPECT_EQ(numbers(solve(padded.ground(), scenes)), numbers(solve(made.ground(), scenes)));
   }
 }
 
 TEST(peak_slip_two_axes, the_mirror_image_across_the_slope_is_the_same_to_the_bit) {
   for (const Kind kind : all_kinds) {
-    const auto scenes = made_up_scenes(kind, 40, 15);
+    const auto scenes = scenes_of_all_models(kind, 40, 15);
     auto mirrored = scenes;
     for (TwoAxisScene& s : mirrored) {
       s.block.azimuth_rad = -s.block.azimuth_rad;
@@ -390,12 +424,13 @@ TEST(peak_slip_two_axes, the_mirror_image_across_the_slope_is_the_same_to_the_bi
 
 TEST(peak_slip_two_axes, slip_scales_with_the_whole_acceleration_field_to_the_bit) {
   for (const Kind kind : all_kinds) {
-    const auto scenes = made_up_scenes(kind, 40, 17);
+    const auto scenes = scenes_of_all_models(kind, 40, 17);
     auto stronger = scenes;
     for (TwoAxisScene& s : stronger) {
       s.block.gravity_mps2 *= 4.0;
       for (double& factor : s.factors.horizontal) factor *= 4.0;
       s.factors.vertical *= 4.0;
+      for (Yielding& spring : s.building.yielding) spring.yield_acceleration_mps2 *= 4.0;
     }
     const auto peaks = solve(ground_of(18), scenes), more = solve(ground_of(18), stronger);
     for (std::size_t k = 0; k < peaks.size(); ++k) {
@@ -410,7 +445,7 @@ TEST(peak_slip_two_axes, slip_scales_with_the_whole_acceleration_field_to_the_bi
 TEST(peak_slip_two_axes, a_history_has_the_same_bits_in_any_company) {
   const BuildingGround ground = ground_of(19);
   for (const Kind kind : all_kinds) {
-    auto scenes = made_up_scenes(kind, 60, 20);
+    auto scenes = scenes_of_all_models(kind, 60, 20);
     for (const TwoAxisScene& s : lifted_scenes(kind, 10, 20)) scenes.push_back(s);
     const auto together = solve(ground, scenes);
     for (std::size_t k = 0; k < scenes.size(); ++k)
@@ -430,7 +465,7 @@ void use_targets(std::int64_t targets) {
 TEST(peak_slip_two_axes, all_simd_targets_give_the_same_bits) {
   const BuildingGround ground = ground_of(21);
   for (const Kind kind : all_kinds) {
-    auto scenes = made_up_scenes(kind, 60, 22);
+    auto scenes = scenes_of_all_models(kind, 60, 22);
     for (const TwoAxisScene& s : lifted_scenes(kind, 10, 22)) scenes.push_back(s);
     const auto best = numbers(solve(ground, scenes));
     for (const std::int64_t target : hwy::SupportedAndGeneratedTargets()) {

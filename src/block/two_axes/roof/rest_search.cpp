@@ -32,9 +32,18 @@ std::size_t FirstRelease(const RestMotion& motion, const Constants<double>& c, d
     const auto along = number(c.c) * a_1 + number(c.s) * a_2;
     const auto p_s = fall * number(c.tangent) - along;
     const auto p_y = number(c.per_aspect) * (number(c.s_across) * a_1 - number(c.c_across) * a_2);
-    const auto holds = number(c.mu) * (fall + number(c.tangent) * along) - number(needed);
-    const auto rests =
-        hn::And(hn::Ge(holds, hn::Zero(d)), hn::Le(p_s * p_s + p_y * p_y, holds * holds));
+    const auto holds = number(c.mu_at_rest) * (fall + number(c.tangent) * along) - number(needed);
+    auto rests = hn::And(hn::Ge(holds, hn::Zero(d)), hn::Le(p_s * p_s + p_y * p_y, holds * holds));
+    for (const RestMotion::Axis& axis : motion.axis) {
+      if (!motion.springs) break;
+      const RestMotion::Axis::Spring& spring = axis.spring;
+      const AxisState& free = axis.free[0].state;
+      const auto x = number(axis.factor) * hn::LoadU(d, spring.x + k) +
+                     (hn::LoadU(d, spring.x_part + k) * number(free.x) +
+                      hn::LoadU(d, spring.y_part + k) * number(free.y));
+      rests =
+          hn::And(rests, hn::And(hn::Lt(x, number(spring.high)), hn::Gt(x, number(spring.low))));
+    }
     const auto released = hn::FindFirstTrue(d, hn::Not(rests));
     if (released >= 0) return k + static_cast<std::size_t>(released);
   }

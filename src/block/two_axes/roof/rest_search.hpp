@@ -20,13 +20,19 @@ struct RestMotion {
     };
     std::array<Free, most_modes> free;
     std::size_t count;
+    /// Of a building that yields: of its force, as `a` and Free; and what it stays within.
+    struct Spring {
+      const double *x, *x_part, *y_part;
+      double low, high;
+    } spring;
   };
   Axis axis[2];
   const double* w;
+  bool springs = false;  ///< the building yields
 };
 
-/// The first of eight nodes at which the friction reserve is less than
-/// `needed`, or 8.
+/// The first of eight nodes at which the friction reserve is less than `needed`, or a spring beyond
+/// its limits, or 8.
 std::size_t first_release(const RestMotion& motion, const Constants<double>& constants,
                           double needed);
 

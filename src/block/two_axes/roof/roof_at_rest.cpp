@@ -19,6 +19,7 @@ RoofAtRest::RoofAtRest(const SceneConstants& constants, RoofKind roof, const Gro
       table_(table),
       after_record_(roof != RoofKind::modes &&
                     static_cast<std::size_t>(state.node) >= ground.quiet),
+      springs_(state.springs),
       base_(static_cast<std::size_t>(state.node)) {
   if (!vibrates()) return;
   RoofState beside = state.roof(roof_);
@@ -92,13 +93,14 @@ bool RoofAtRest::sticks(const std::array<double, 2>& a, double w) const {
   const Constants<double>& c = constants_;
   const double most = std::sqrt(a[0] * a[0] + a[1] * a[1]) * (1.0 + 1e-12);
   return (c.gravity + w) * c.tangent + most * std::max(1.0, c.per_aspect) / c.cosine <=
-         c.mu * (c.gravity - w - c.tangent * most) * (1.0 - 1e-12);
+         c.mu_at_rest * (c.gravity - w - c.tangent * most) * (1.0 - 1e-12);
 }
 
 bool RoofAtRest::sticks_from(std::size_t node) const {
   const std::size_t k = node / tile_nodes;
   std::array<double, 2> a = free_bound_;
-  if (after_record_) return sticks(a, 0.0);
+  if (after_record_) return sticks(a, 0.0) && stays_elastic();
+  if (roof_ == RoofKind::yielding) return false;  // the table bounds no spring
   for (std::size_t n = 0; n < 2; ++n) {
     a[n] += std::abs(factor(n)) * table_.coming[n][k];
     if (vibrates()) a[n] *= between_nodes;
@@ -132,9 +134,18 @@ std::array<double, 2> RoofAtRest::bound_in_tile(std::size_t node) const {
 }
 
 bool RoofAtRest::sticks_in_tile(std::size_t node) const {
-  if (after_record_) return false;
+  if (after_record_ || roof_ == RoofKind::yielding) return false;
   return sticks(bound_in_tile(node),
                 std::abs(constants_.factor_w) * ground_.largest_w(node / tile_nodes));
+}
+
+bool RoofAtRest::stays_elastic() const {
+  if (roof_ != RoofKind::yielding) return true;
+  for (std::size_t n = 0; n < 2; ++n) {
+    const double most = free_bound_[n] / constants_.per_mass;
+    if (!(most < springs_.high[n] && -most > springs_.low[n])) return false;
+  }
+  return true;
 }
 
 std::size_t RoofAtRest::tile_end(std::size_t node) const {
@@ -146,9 +157,10 @@ std::size_t RoofAtRest::first_release(std::size_t from, std::size_t end) const {
   const Constants<double>& c = constants_;
   const double rounding = 1e-12 * c.gravity;
   const double needed = (deviation(0, from) + deviation(1, from)) *
-                            (std::max(1.0, c.per_aspect) / c.cosine + c.mu * c.tangent) +
+                            (std::max(1.0, c.per_aspect) / c.cosine + c.mu_at_rest * c.tangent) +
                         rounding;
   RestMotion motion;
+  motion.springs = roof_ == RoofKind::yielding;
   for (std::size_t i = from; i <= end; i += 8) {
     for (std::size_t n = 0; n < 2; ++n) {
       RestMotion::Axis& axis = motion.axis[n];
@@ -160,6 +172,11 @@ std::size_t RoofAtRest::first_release(std::size_t from, std::size_t end) const {
         axis.free[k] = {free.x_part().data(), free.y_part().data(),
                         free.after(i - base_, free_[n][k])};
       }
+      if (!motion.springs) continue;
+      const FreeVibration& free = table_.free[n][0];
+      const double left = deviation(n, from) / c.per_mass;  // of E, and more than the spring's
+      axis.spring = {after_record_ ? zeros : table_.x[n].data() + i, free.own_x_part().data(),
+                     free.own_y_part().data(), springs_.low[n] + left, springs_.high[n] - left};
     }
     motion.w = i > ground_.quiet ? zeros : ground_.w.data() + i;
     const std::size_t released = two_axes::first_release(motion, c, needed);

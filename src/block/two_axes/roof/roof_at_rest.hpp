@@ -36,14 +36,16 @@ class RoofAtRest {
   std::array<double, 2> bound_in_tile(std::size_t node) const;
   /// By how much it leaves its chord in the tile of a node, at most.
   double deviation(std::size_t axis, std::size_t node) const;
-  /// The first node, up to and including `end`, where friction might not hold
-  /// the block in the interval before or after it; or end + 1.
+  /// The first node, up to and including `end`, where friction might not hold the block, or a
+  /// spring might yield, in the interval before or after it; or end + 1.
   std::size_t first_release(std::size_t from, std::size_t end) const;
 
  private:
   bool vibrates() const { return has_state(roof_); }
   /// The block sticks whatever the roof does within these bounds.
   bool sticks(const std::array<double, 2>& a, double w) const;
+  /// After the record no spring can leave its limits again.
+  bool stays_elastic() const;
   double factor(std::size_t axis) const {
     return axis == 0 ? constants_.factor_1 : constants_.factor_2;
   }
@@ -58,6 +60,7 @@ class RoofAtRest {
   const GroundNodes& ground_;
   const RestTable& table_;
   bool after_record_;
+  SpringMotion<double> springs_;
   std::size_t base_;  // node of free_
   RoofState free_{};
   std::array<double, 2> free_bound_{}, free_deviation_{};  // of its acceleration

@@ -73,10 +73,11 @@ RoofPiece::RoofPiece(const HistoryState& state, const GroundNodes& ground, const
   if (roof == RoofKind::coupled_modes)
     respond_on_modes(state.roof(roof), block_velocity);
   else
-    respond(state.roof(roof), block_velocity);
+    respond(state.roof(roof), block_velocity, state.springs);
 }
 
-void RoofPiece::respond(const RoofState& state, const BlockVelocity& block_velocity) {
+void RoofPiece::respond(const RoofState& state, const BlockVelocity& block_velocity,
+                        const SpringMotion<double>& springs) {
   const SceneConstants& c = *constants_;
   terms_ = terms_for(std::max(c.omega_1, c.omega_2) * length_s_);
   const double omega[] = {c.omega_1, c.omega_2}, damping[] = {c.twice_zeta_1, c.twice_zeta_2};
@@ -84,8 +85,9 @@ void RoofPiece::respond(const RoofState& state, const BlockVelocity& block_veloc
   for (std::size_t n = 0; n < 2; ++n) {
     const double phase = omega[n] * length_s_;
     const double forcing[] = {ground_[n], ground_end_[n] - ground_[n]};
-    const double b[] = {omega_rho[n] * block_velocity.begin[n],
-                        omega_rho[n] * block_velocity.rise[n]};
+    const std::array<double, 2>& b = block_rate_[n] = {omega_rho[n] * block_velocity.begin[n],
+                                                       omega_rho[n] * block_velocity.rise[n]};
+    const double stiffness = springs.direction[n] == 0.0 ? 1.0 : c.springs.hardening[n];
     Terms &x = x_[n][0], &y = y_[n][0], &a = a_[n];
     x[0] = state[n][0].x;
     y[0] = state[n][0].y;
@@ -94,10 +96,34 @@ void RoofPiece::respond(const RoofState& state, const BlockVelocity& block_veloc
       a[k] = -(damping[n] * rate + x[k]) * c.per_mass;
       if (k + 1 == static_cast<std::size_t>(terms_)) break;
       const double factor = phase * Series::inverse[k + 1];
-      x[k + 1] = factor * rate;
+      x[k + 1] = stiffness * (factor * rate);
       y[k + 1] = factor * (k < 2 ? a[k] - forcing[k] : a[k]);
     }
   }
+}
+
+RoofPiece::SpringEvent RoofPiece::next_event(const SpringMotion<double>& springs) const {
+  SpringEvent first;
+  if (roof_ != RoofKind::yielding) return first;
+  const auto consider = [&](std::size_t axis, double at, int direction) {
+    if (at < first.at) first = {at, axis, direction};
+  };
+  for (std::size_t n = 0; n < 2; ++n) {
+    const double margin = constants_->springs.margin[n], yields = springs.direction[n];
+    if (yields == 0.0) {
+      Series force{x_[n][0], terms_};
+      force.c[0] = (x_[n][0][0] - springs.high[n]) - margin;
+      consider(n, first_rise(force), 1);
+      force.c[0] = (x_[n][0][0] - springs.low[n]) + margin;
+      consider(n, first_fall(force), -1);
+      continue;
+    }
+    Series rate{y_[n][0], terms_};
+    for (std::size_t k = 0; k < 2; ++k) rate.c[k] -= block_rate_[n][k];
+    rate.c[0] += yields * margin;
+    consider(n, first_fall(rate, yields > 0.0 ? Sign::plus : Sign::minus), 0);
+  }
+  return first;
 }
 
 /// As RoofSeries::RespondModes.

@@ -15,8 +15,10 @@ namespace glissade::block_detail::two_axes {
 struct HistoryState {
   LaneMotion<double> motion{};
   ModeMotion<double> modes{};
+  SpringMotion<double> springs{};
   std::int64_t node = 0;
 
+  bool any_yields() const { return springs.direction[0] != 0.0 || springs.direction[1] != 0.0; }
   /// The building's state.
   RoofState roof(RoofKind roof) const;
   void set_roof(RoofKind roof, const RoofState& state);
@@ -42,6 +44,13 @@ class RoofPiece {
   double bend() const;
   /// Raises the largest |acceleration| by axis to that of the roof up to a fraction of the piece.
   void raise(std::array<double, 2>& largest, double tau) const;
+  /// The first that a yielding spring does: where, as a fraction of the piece, or never.
+  struct SpringEvent {
+    double at = never;
+    std::size_t axis = 0;
+    int direction = 0;  ///< in which it then yields; 0: elastic again
+  };
+  SpringEvent next_event(const SpringMotion<double>& springs) const;
   /// Takes the ground and the building to a fraction of the piece.
   void move(HistoryState& state, double tau) const;
 
@@ -54,12 +63,13 @@ class RoofPiece {
     return total;
   }
 
-  void respond(const RoofState& state, const BlockVelocity& block_velocity);
+  void respond(const RoofState& state, const BlockVelocity& block_velocity,
+               const SpringMotion<double>& springs);
   void respond_on_modes(const RoofState& state, const BlockVelocity& block_velocity);
   void read(std::span<const double, row_terms> row, double factor, double left, Terms& a) const;
   double reserve_per_acceleration() const {
     const Constants<double>& c = *constants_;
-    return std::max(1.0, c.per_aspect) / c.cosine + c.mu * c.tangent;
+    return std::max(1.0, c.per_aspect) / c.cosine + c.mu_at_rest * c.tangent;
   }
 
   const SceneConstants* constants_;
@@ -68,15 +78,17 @@ class RoofPiece {
   int terms_ = 2;
   std::array<Terms, 2> a_;
   std::array<std::array<Terms, most_modes>, 2> x_, y_;
-  std::array<std::size_t, 2> count_{1, 1};  // of modes
+  std::array<std::size_t, 2> count_{1, 1};             // of modes
+  std::array<std::array<double, 2>, 2> block_rate_{};  // in y, of one mass: at the begin, its rise
   std::array<double, 2> ground_, ground_end_;
   double w_, w_end_;
 };
 
-/// Of a load: how much more friction could hold. Negative where it slides: without a drive it does
-/// not, even lifted off.
+/// Of a block at rest under a load: how much more friction could hold. Negative where it slides:
+/// without a drive it does not, even lifted off.
 inline double friction_reserve(const Load& load, const Constants<double>& c) {
-  return c.mu * std::max(load.normal, 0.0) - length({load.drive.s, c.per_aspect * load.drive.y});
+  return c.mu_at_rest * std::max(load.normal, 0.0) -
+         length({load.drive.s, c.per_aspect * load.drive.y});
 }
 
 }  // namespace glissade::block_detail::two_axes

@@ -78,6 +78,8 @@ void FreeVibration::repeat(const Matrix& one, std::size_t steps) {
   far_.resize(steps / tile_nodes + 2);
   for (std::size_t k = 1; k < far_.size(); ++k) far_[k] = times(per_tile, far_[k - 1]);
   for (std::size_t k = 0; k < 8; ++k) {
+    own_x_part_[k] = near_[k].xx;
+    own_y_part_[k] = near_[k].xy;
     x_part_[k] = -(twice_zeta_ * near_[k].yx + near_[k].xx) * per_mass_;
     y_part_[k] = -(twice_zeta_ * near_[k].yy + near_[k].xy) * per_mass_;
   }
@@ -123,7 +125,7 @@ double RestTable::tabulate_axis(std::size_t n, const GroundNodes& ground,
                y1 = root * s.y_end;
   const double per_left = 1.0 / (1.0 - (phase + twice_zeta) * phase * c.per_mass);
   // A table made again overwrites all but the first node and the padding, which are zero.
-  x[n].resize(quiet + 1);
+  x[n].resize(quiet + 1 + padding);
   y[n].resize(quiet + 1);
   own_a[n].resize(quiet + 1 + padding);
   AxisState now;  // from rest at the first sample, whatever its acceleration

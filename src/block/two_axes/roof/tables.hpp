@@ -63,6 +63,9 @@ class FreeVibration {
   /// The roof's acceleration after 0 ... 7 steps: x[k] from.x + y[k] from.y.
   const std::array<double, 8>& x_part() const { return x_part_; }
   const std::array<double, 8>& y_part() const { return y_part_; }
+  /// The same of the state x.
+  const std::array<double, 8>& own_x_part() const { return own_x_part_; }
+  const std::array<double, 8>& own_y_part() const { return own_y_part_; }
   /// No |acceleration| to come is larger.
   double bound(const AxisState& state) const;
   double acceleration(const AxisState& s) const { return -(twice_zeta_ * s.y + s.x) * per_mass_; }
@@ -79,7 +82,7 @@ class FreeVibration {
   double twice_zeta_, per_mass_, root_mass_, deviation_;
   std::array<Matrix, tile_nodes> near_;
   std::vector<Matrix> far_;  // tile_nodes steps each
-  std::array<double, 8> x_part_{}, y_part_{};
+  std::array<double, 8> x_part_{}, y_part_{}, own_x_part_{}, own_y_part_{};
 };
 
 /// One axis of a building of several modes with the block at rest on it, which couples them: its
