@@ -234,7 +234,7 @@ std::vector<std::string> choices_of(const Project& project) {
   const auto standard = std::ranges::find(prescribed, project.standard, &PrescribedValue::standard);
   add(!standard->may_be_used(), conditions_text(*standard));
   add(site_7_16 && !project.site.target.is_mapped() && project.site.target.period_s.empty() &&
-          project.site.hazard_analysis.empty(),
+          project.site.target.hazard_analysis.empty(),
       "S_DS and S_D1 are stated without S_S, S_1 and site class: whether ASCE 7-16, 11.4.8 "
       "requires a ground motion hazard analysis is not checked");
   const std::string unchecked = unchecked_spectrum(project.site);
@@ -292,18 +292,13 @@ std::vector<std::string> reservations_on(const Project& project, const DesignCle
       !unchecked.empty() && project.site.target.edition != AsceEdition::asce7_22)
     found.push_back(std::move(unchecked));
   if (std::string required = hazard_analysis_required(project.site.target);
-      !required.empty() && project.site.hazard_analysis.empty())
+      !required.empty() && project.site.target.hazard_analysis.empty())
     found.push_back(required + ": state site.hazard_analysis");
   if (const PrescribedValue& value = of_standard(project, design); !value.may_be_used())
     found.push_back(conditions_text(value));
   for (const DesignCheck& check : design.checks)
     if (!check.is_met) found.push_back(not_met_text(check));
   return found;
-}
-
-bool is_of_hazard_analysis(const Project& project, const std::string& warning) {
-  const std::string required = hazard_analysis_required(project.site.target);
-  return !required.empty() && warning.starts_with(required);
 }
 
 std::vector<std::string> records_with_uplift(const Results& results, std::size_t level) {
@@ -411,10 +406,8 @@ std::vector<DesignCheck> checks_of(const Project& project, const Results& demand
 
 std::vector<std::string> warnings_on(const Project& project, const Results& demand,
                                      const DesignClearance& design) {
-  std::vector<std::string> warnings = choices_of(project);
-  std::ranges::remove_copy_if(
-      demand.warnings, std::back_inserter(warnings),
-      [&](const std::string& warning) { return is_of_hazard_analysis(project, warning); });
+  std::vector<std::string> warnings = demand.warnings;
+  std::ranges::move(choices_of(project), std::back_inserter(warnings));
   for (const DesignCheck& check : design.checks) {
     if (!check.is_met) warnings.push_back(not_met_text(check));
   }

@@ -377,12 +377,8 @@ void add_exceedance(const Project& project, const Results& probability, DesignCl
         fmt::format("the governing displacement is exceeded with a probability of {:.3g} % at the "
                     "DBE and {:.3g} % at the MCE",
                     100.0 * at_dbe.probability, 100.0 * design.compared.front().mce.probability));
-  for (std::string warning : probability.warnings) {
+  for (const std::string& warning : probability.warnings) {
     if (warning.find("[shape]") != std::string::npos) continue;  // of fitted curves: none is used
-    if (is_of_hazard_analysis(project, warning)) continue;
-    const std::string key = " (intensity.levels)";  // which a project has not
-    if (const std::size_t at = warning.find(key); at != std::string::npos)
-      warning.erase(at, key.size());
     if (std::ranges::find(design.warnings, warning) == design.warnings.end())
       design.warnings.push_back(warning);
   }

@@ -137,7 +137,8 @@ std::vector<std::string> improbable_values(const DesignTarget& target) {
     found.push_back(
         "site class B: F_a and F_v are those of a measured shear wave velocity; without one ASCE "
         "7-16, 11.4.3 (recalled: verify), requires 1.0, which is more");
-  if (std::string required = hazard_analysis_required(target); !required.empty())
+  if (std::string required = hazard_analysis_required(target);
+      !required.empty() && target.hazard_analysis.empty())
     found.push_back(required + " (recalled: verify)");
   return found;
 }

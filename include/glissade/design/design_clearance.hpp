@@ -157,9 +157,6 @@ std::vector<std::string> reservations_on(const Project& project, const DesignCle
 /// no analysis.
 std::vector<std::string> choices_of(const Project& project);
 
-/// A warning of a study about what is a condition of the package (ASCE 7-16, 11.4.8).
-bool is_of_hazard_analysis(const Project& project, const std::string& warning);
-
 inline constexpr const char* simulated_motions_warning =
     "the motions of this suite are simulated and do not serve for a permit: repeat the calculation "
     "with recorded motions";

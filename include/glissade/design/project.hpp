@@ -26,8 +26,6 @@ struct ProjectSite {
   std::optional<DesignTarget> mapped;  ///< S_S, S_1 and site class beside a spectrum by points
   bool states_tl = true;               ///< or T_L is as usual
   RiskCategory risk = RiskCategory::ii;
-  /// Of ASCE 7-16, 11.4.8: the exception that the engineer takes, or the report of the analysis.
-  std::string hazard_analysis;
 };
 
 struct ProjectBuilding {

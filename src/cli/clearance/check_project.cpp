@@ -118,11 +118,8 @@ void check_project(const fs::path& file, const fs::path& out) {
 
   std::vector<std::string> warnings = choices_of(project);
   for (const Plan* plan : {&demand, &probability}) {
-    for (const std::string& warning : plan->warnings) {
-      if (!project.site.hazard_analysis.empty() && is_of_hazard_analysis(project, warning))
-        continue;
+    for (const std::string& warning : plan->warnings)
       if (std::ranges::find(warnings, warning) == warnings.end()) warnings.push_back(warning);
-    }
   }
   if (record_files(project.suite).empty()) warnings.emplace_back(simulated_motions_warning);
   for (const DesignCheck& check : checks_before_analysis(project, suite.motions.size()))

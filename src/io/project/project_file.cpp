@@ -111,7 +111,6 @@ void read_site(const TomlTable& table, Project& project) {
                                                                   {"IV", RiskCategory::iv}})
                           .value_or(project.site.risk);
   project.spectrum_file = table.text("spectrum").value_or("");
-  project.site.hazard_analysis = table.text("hazard_analysis").value_or("");
   const bool is_whole = has("edition") && (has("spectrum") || (has("ss_g") && has("s1_g")) ||
                                            (has("sds_g") && has("sd1_g")));
   if (!is_whole) return table.ignore_unknown();  // what is missing has been reported

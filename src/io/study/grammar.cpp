@@ -55,12 +55,13 @@ void add_head(std::vector<GrammarKey>& keys) {
        {"intensity", "avg_sa_periods_s", list_value, "required with avg_sa_g",
         "periods of the average spectral acceleration, s"},
        {"intensity", "target",
-        "{ edition, ss_g, s1_g, site_class or site_classes, tl_s }, { edition, sds_g, sd1_g, tl_s "
-        "} or { edition, spectrum }",
+        "{ edition, ss_g, s1_g, site_class or site_classes, tl_s, hazard_analysis }, { edition, "
+        "sds_g, sd1_g, tl_s } or { edition, spectrum }",
         "that of the suite",
         "the design spectrum: shape for sds_g, demand for building.response_modification; "
         "site_class is a letter or \"default\"; spectrum is a CSV file with the columns period_s "
-        "and design_sa_g or mce_sa_g"},
+        "and design_sa_g or mce_sa_g; hazard_analysis states the exception of ASCE 7-16, 11.4.8, "
+        "that is taken, or the report of the analysis"},
        {"model", "axes", "1 or 2", usual.two_axes() ? "2" : "1",
         "along how many horizontal axes the array may slide; along one it slides less than under "
         "both components"},

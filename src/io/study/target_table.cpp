@@ -139,6 +139,7 @@ DesignTarget read_target(const TomlTable& table, std::optional<DesignTarget>* ma
     table.report_missing("edition",
                          "asce7_10, asce7_16 or asce7_22: their site coefficients differ");
   target.edition = table.choice<AsceEdition>("edition", editions).value_or(target.edition);
+  target.hazard_analysis = table.text("hazard_analysis").value_or("");
   check_accelerations(table);
   const bool has_both = mapped != nullptr && table.has("spectrum") && table.has("ss_g");
   check_one_form(table, has_both);

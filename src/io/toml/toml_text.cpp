@@ -53,6 +53,8 @@ std::vector<std::string> target_fields(const DesignTarget& target) {
     fields.push_back(fmt::format("site_classes = [{}]", fmt::join(classes, ", ")));
   }
   add("tl_s", target.tl_s);
+  if (!target.hazard_analysis.empty())
+    fields.push_back("hazard_analysis = " + quoted(target.hazard_analysis));
   return fields;
 }
 

@@ -106,7 +106,7 @@ Table scope_table(const CalculationPackage& package) {
     table.add({c.what, c.found, c.limit, c.clause, std::string(verdict_of(c.is_met))});
   if (project.site.target.edition != AsceEdition::asce7_16) return table;
   const bool required = !hazard_analysis_required(project.site.target).empty();
-  const std::string& stated = project.site.hazard_analysis;
+  const std::string& stated = project.site.target.hazard_analysis;
   if (project.site.target.is_mapped())
     table.add({std::string("ground motion hazard analysis"),
                !stated.empty() ? "stated by the engineer: " + stated

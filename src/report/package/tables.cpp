@@ -41,8 +41,6 @@ std::string share_text(const ExceedanceAt& e) {
 std::vector<std::string> warnings_of(const CalculationPackage& package) {
   std::vector<std::string> warnings = package.design.warnings;
   if (package.files.empty()) warnings.insert(warnings.begin(), simulated_motions_warning);
-  std::ranges::stable_partition(
-      warnings, [](const std::string& warning) { return warning.starts_with("NOT FOR DESIGN"); });
   for (std::string& warning : warnings) {  // a sentence, but for the name of a key
     const std::string first = warning.substr(0, warning.find(' '));
     if (first.find_first_of("._") == std::string::npos)

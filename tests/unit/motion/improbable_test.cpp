@@ -99,6 +99,9 @@ TEST(improbable_values, of_a_target_name_the_sites_of_asce7_16_11_4_8) {
   EXPECT_EQ(count(1.5, 0.6, SiteClass::c), 0u);
   EXPECT_EQ(count(0.9, 0.1, SiteClass::e), 0u);
   EXPECT_EQ(count(1.0, 0.1, SiteClass::e), 1u);
+  DesignTarget stated = target(AsceEdition::asce7_16, 1.5, 0.2, SiteClass::d);
+  stated.hazard_analysis = "exception 2 of 11.4.8";
+  EXPECT_THAT(improbable_values(stated), IsEmpty());
 }
 
 }  // namespace

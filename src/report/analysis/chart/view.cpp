@@ -2,6 +2,7 @@
 #include "analysis/chart/view.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -113,18 +114,20 @@ namespace {
 
 /// What the chart has no axis for: it takes the largest over it.
 std::string largest_over(const Results& results) {
-  std::string text = results.cases.orientations > 1 ? "the orientation that slides farthest" : "";
+  std::vector<std::string> listed;
   for (const CaseAxis& axis : results.cases.axes) {
     if (axis.key == "roof.slope_deg" || axis.key == "friction.mu" ||
         axis.key == "building.period_s" || axis.key == "friction.value" ||
         axis.key == "array.support")
       continue;
-    text += (text.empty()                 ? "the largest over the listed values of "
-             : text.ends_with("farthest") ? " and the largest over the listed values of "
-                                          : " and of ") +
-            axis.words();
+    listed.push_back(axis.words());
   }
-  return text;
+  std::vector<std::string> largest;
+  if (results.cases.orientations > 1) largest.emplace_back("the orientation that slides farthest");
+  if (!listed.empty())
+    largest.push_back(
+        fmt::format("the largest over the listed values of {}", fmt::join(listed, " and of ")));
+  return fmt::format("{}", fmt::join(largest, " and "));
 }
 
 /// "mean 0.549, standard deviation 0.041" over the samples.

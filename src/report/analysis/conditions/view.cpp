@@ -142,12 +142,11 @@ std::string conditions_text(const Results& results, const Condition& at,
   if (results.suites.front().of_roof)  // the building is in the motions
     left_out.insert(left_out.end(), {ConditionAxis::period, ConditionAxis::mass,
                                      ConditionAxis::response_modification});
-  const std::vector<std::string>& listed = results.conditions->grid.listed;
-  const std::size_t place = at[ConditionAxis::listed];
-  if (place < listed.size() && listed[place].starts_with("friction"))
-    left_out.push_back(ConditionAxis::listed);  // it follows
-  const std::string text = joined(results.conditions->grid, at, left_out, 1) + ", friction " +
-                           friction_text(results, at);
+  ConditionGrid grid = results.conditions->grid;
+  grid.listed = grid.listed_but_friction;  // it follows
+  if (grid.listed[at[ConditionAxis::listed]].empty()) left_out.push_back(ConditionAxis::listed);
+  const std::string text =
+      joined(grid, at, left_out, 1) + ", friction " + friction_text(results, at);
   return results.suites.front().of_roof ? in_words_of_roof(text) : text;
 }
 

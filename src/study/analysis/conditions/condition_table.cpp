@@ -70,8 +70,11 @@ ConditionGrid grid_of(const Results& results, const GridAxes& axes) {
   const Case& c = set.cases.front();
   ConditionGrid grid;
   grid.listed.clear();
-  for (std::size_t i = 0; i < axes.listed.combinations(); ++i)
+  grid.listed_but_friction.clear();
+  for (std::size_t i = 0; i < axes.listed.combinations(); ++i) {
     grid.listed.push_back(axes.listed.describe(i));
+    grid.listed_but_friction.push_back(axes.listed.describe(i, "friction.mu"));
+  }
   grid.support.clear();
   for (const double support : values_on(set, axes.support, static_cast<double>(c.support)))
     grid.support.push_back(static_cast<ArraySupport>(static_cast<int>(support)));

@@ -103,7 +103,7 @@ std::vector<std::string> HazardAnalysis::warnings(const Results& results,
   return {fmt::format(
       "annual rates: up to {:.0f} % of the rate of clearance {} {} is the assumption that any "
       "shaking above the highest level exceeds it. The rate is an upper estimate; add higher "
-      "levels (intensity.levels)",
+      "levels",
       100.0 * largest, lengths_text(concerned_m, study.units), length_unit(study.units))};
 }
 

@@ -52,6 +52,7 @@ class Condition {
 /// Every combination of these is run. NaN: drawn, and not listed.
 struct ConditionGrid {
   std::vector<std::string> listed = {""};  ///< "friction.mu = 0.4, building.damping = 0.02"
+  std::vector<std::string> listed_but_friction = {""};  ///< where the friction is stated beside
   std::vector<ArraySupport> support = {ArraySupport::isolated};
   std::vector<VerticalCondition> vertical = {{}};
   /// R: the building yields at its elastic demand under the design spectrum over R; 0: it stays
