@@ -24,77 +24,112 @@ double cross(const OrbitPoint& a, const OrbitPoint& b, const OrbitPoint& c) {
   return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
 }
 
-/// An oscillator along one axis: omega^2 u, and the velocity by omega.
-struct PlanAxis {
-  double x = 0.0, y = 0.0;
-  void move(const OscillatorStep& s, double a0, double a1) {
-    const double from = x;
-    x = s.xx * from + s.xy * y - (s.x_start * a0 + s.x_end * a1);
-    y = -s.xy * from + s.yy * y - (s.y_start * a0 + s.y_end * a1);
+OrbitPoint operator+(const OrbitPoint& a, const OrbitPoint& b) { return {a.x + b.x, a.y + b.y}; }
+OrbitPoint operator-(const OrbitPoint& a, const OrbitPoint& b) { return {a.x - b.x, a.y - b.y}; }
+OrbitPoint operator*(double k, const OrbitPoint& a) { return {k * a.x, k * a.y}; }
+double square(const OrbitPoint& p) { return p.x * p.x + p.y * p.y; }
+
+/// An oscillator in plan: omega^2 u, and the velocity by omega.
+struct PlanState {
+  OrbitPoint place{0.0, 0.0}, velocity{0.0, 0.0};
+  PlanState after(const OscillatorStep& s, const OrbitPoint& a0, const OrbitPoint& a1) const {
+    return {s.xx * place + s.xy * velocity - (s.x_start * a0 + s.x_end * a1),
+            s.yy * velocity - s.xy * place - (s.y_start * a0 + s.y_end * a1)};
   }
 };
 
-/// Of the oscillator of a period in plan, with the period after the end of the motion.
-PlanPath path_of(const Motion& motion, double period_s, double damping_ratio) {
-  constexpr double most_phase = 0.02;  // of a part of an interval: the bound on the error
-  const auto& [first, second] = motion.horizontal_mps2;
-  PlanPath path;
-  if (period_s == 0.0) {
-    for (std::size_t i = 0; i < first.size(); ++i) path.push_back({first[i], second[i]});
-    return path;
+/// A linear map that makes points that lie near a line about as wide as long: by the Cholesky
+/// factor of their second moments.
+class RoundMap {
+ public:
+  explicit RoundMap(const std::vector<PlanState>& path) {
+    double xx = 0.0, xy = 0.0, yy = 0.0;
+    for (const auto& [p, velocity] : path) xx += p.x * p.x, xy += p.x * p.y, yy += p.y * p.y;
+    constexpr double least = 1e-9;  // of a path on a line
+    const double more = least * (xx + yy);
+    x_ = 1.0 / std::sqrt(xx + more);
+    slope_ = xy * x_ * x_;
+    y_ = 1.0 / std::sqrt(yy - slope_ * xy + more);
   }
-  const double phase = 2.0 * std::numbers::pi * motion.dt_s / period_s;
-  const double parts = std::ceil(phase / most_phase);
-  const OscillatorStep step = oscillator_step(phase / parts, damping_ratio);
-  const auto after =
-      static_cast<std::size_t>(std::ceil(period_s / motion.dt_s)) + 1;  // its free vibration
-  const auto at = [](const Samples& a, std::size_t i) { return i < a.size() ? a[i] : 0.0; };
-  const std::size_t intervals = first.size() + after;
-  path.reserve(intervals * static_cast<std::size_t>(parts));
-  PlanAxis along, across;
-  for (std::size_t i = 0; i < intervals; ++i) {
-    const double x0 = at(first, i), dx = (at(first, i + 1) - x0) / parts, y0 = at(second, i),
-                 dy = (at(second, i + 1) - y0) / parts;
-    for (double part = 0.0; part < parts; ++part) {
-      along.move(step, x0 + part * dx, x0 + (part + 1.0) * dx);
-      across.move(step, y0 + part * dy, y0 + (part + 1.0) * dy);
-      path.push_back({along.x, across.x});
-    }
-  }
-  return path;
-}
+  OrbitPoint operator()(const OrbitPoint& p) const { return {x_ * p.x, y_ * (p.y - slope_ * p.x)}; }
 
-double square(const OrbitPoint& p) { return p.x * p.x + p.y * p.y; }
+ private:
+  double x_, slope_, y_;
+};
 
-/// Without points that are inside a circle within the hull of all. The support changes with the
-/// direction by the largest radius a radian at most; that of some of the points is below it.
-void drop_inner(PlanPath& path, double largest_radius) {
+/// The radius of a circle in the hull of the points and their opposites, under the map; 0: none.
+/// The support changes with the direction by the largest radius a radian at most; that of some of
+/// the points is below it.
+double inner_radius(const std::vector<PlanState>& path, const RoundMap& round) {
   constexpr int directions = 32;
   constexpr std::size_t some = 8;
-  double inner = std::numeric_limits<double>::infinity();
+  std::vector<OrbitPoint> points;
+  for (std::size_t i = 0; i < path.size(); i += some) points.push_back(round(path[i].place));
+  double inner = std::numeric_limits<double>::infinity(), largest = 0.0;
   for (int k = 0; k < directions; ++k) {
     const double angle = std::numbers::pi * k / directions, c = std::cos(angle),
                  s = std::sin(angle);
-    double largest = 0.0;
-    for (std::size_t i = 0; i < path.size(); i += some)
-      largest = std::max(largest, std::abs(path[i].x * c + path[i].y * s));
-    inner = std::min(inner, largest);
+    double support = 0.0;
+    for (const OrbitPoint& p : points) support = std::max(support, std::abs(p.x * c + p.y * s));
+    inner = std::min(inner, support);
   }
-  inner -= largest_radius * 0.5 * std::numbers::pi / directions;
-  if (inner > 0.0)
-    std::erase_if(path, [&](const OrbitPoint& p) { return square(p) < inner * inner; });
+  for (const OrbitPoint& p : points) largest = std::max(largest, square(p));
+  return std::max(0.0, inner - std::sqrt(largest) * 0.5 * std::numbers::pi / directions);
 }
 
-/// The convex hull of the points and their opposites, counter-clockwise (Andrew 1979).
-PlanPath hull_of(PlanPath points) {
+/// Of the oscillator of a period in plan, with the period after the end of the motion: the points
+/// that may be on the hull of all. Between samples an interval is followed only where it may leave
+/// the circle that is inside the hull of the path at the samples: the root of the sum of squares of
+/// place and velocity grows by the acceleration times the phase at most.
+PlanPath outer_path(const Motion& motion, double period_s, double damping_ratio) {
+  constexpr double most_phase = 0.02;  // of a part of an interval: the bound on the error
+  const auto& [first, second] = motion.horizontal_mps2;
+  const auto ground = [&](std::size_t i) {
+    return i < first.size() ? OrbitPoint{first[i], second[i]} : OrbitPoint{0.0, 0.0};
+  };
+  PlanPath outer;
+  if (period_s == 0.0) {
+    for (std::size_t i = 0; i < first.size(); ++i) outer.push_back(ground(i));
+    return outer;
+  }
+  const double phase = 2.0 * std::numbers::pi * motion.dt_s / period_s;
+  const OscillatorStep whole = oscillator_step(phase, damping_ratio);
+  const auto after =
+      static_cast<std::size_t>(std::ceil(period_s / motion.dt_s)) + 1;  // its free vibration
+  std::vector<PlanState> path(first.size() + after + 1);
+  for (std::size_t i = 0; i + 1 < path.size(); ++i)
+    path[i + 1] = path[i].after(whole, ground(i), ground(i + 1));
+  const RoundMap round(path);
+  const double inner = inner_radius(path, round);
+  const double parts = std::ceil(phase / most_phase);
+  const OscillatorStep part_step = oscillator_step(phase / parts, damping_ratio);
+  for (std::size_t i = 0; i + 1 < path.size(); ++i) {
+    const OrbitPoint from = ground(i), rise = (1.0 / parts) * (ground(i + 1) - from);
+    const double push =
+        phase * std::sqrt(std::max(square(round(from)), square(round(ground(i + 1)))));
+    PlanState state = path[i];
+    const double swing = std::sqrt(square(round(state.place)) + square(round(state.velocity)));
+    if (swing + push < inner) continue;
+    for (double part = 0.0; part < parts; ++part) {
+      state = state.after(part_step, from + part * rise, from + (part + 1.0) * rise);
+      if (square(round(state.place)) >= inner * inner) outer.push_back(state.place);
+    }
+  }
+  return outer;
+}
+
+/// The convex hull of the points and their opposites, counter-clockwise (Andrew 1979), without
+/// corners that rounding makes of points on one line.
+PlanPath hull_of(PlanPath points, double largest_radius) {
+  const double rounding = 1e-13 * largest_radius * largest_radius;
   const std::size_t own = points.size();
   for (std::size_t i = 0; i < own; ++i) points.push_back({-points[i].x, -points[i].y});
   std::ranges::sort(points, {}, [](const OrbitPoint& p) { return std::pair(p.x, p.y); });
   PlanPath hull;
-  const auto chain = [&hull](auto begin, auto end) {
+  const auto chain = [&hull, rounding](auto begin, auto end) {
     const std::size_t base = hull.size();
     for (auto p = begin; p != end; ++p) {
-      while (hull.size() >= base + 2 && cross(hull[hull.size() - 2], hull.back(), *p) <= 0.0)
+      while (hull.size() >= base + 2 && cross(hull[hull.size() - 2], hull.back(), *p) <= rounding)
         hull.pop_back();
       hull.push_back(*p);
     }
@@ -160,13 +195,13 @@ RotatedSpectrum rotated_spectrum(const Motion& motion, std::span<const double> p
                            std::vector<double>(periods_s.size())};
   in_parallel(periods_s.size(), [&](std::size_t i) {
     GLISSADE_EXPECTS(periods_s[i] >= 0.0);
-    PlanPath path = path_of(motion, periods_s[i], damping_ratio);
+    const PlanPath path = outer_path(motion, periods_s[i], damping_ratio);
     double largest = 0.0;
     for (const OrbitPoint& p : path) largest = std::max(largest, square(p));
     largest = std::sqrt(largest);
-    drop_inner(path, largest);
     spectrum.rotd100_mps2[i] = largest;
-    if (largest > 0.0) spectrum.rotd50_mps2[i] = median_support(arcs_of(hull_of(path)), largest);
+    if (largest > 0.0)
+      spectrum.rotd50_mps2[i] = median_support(arcs_of(hull_of(path, largest)), largest);
   });
   return spectrum;
 }

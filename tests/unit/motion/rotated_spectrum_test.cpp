@@ -66,8 +66,8 @@ TEST(rotated_spectrum, of_a_turning_motion_is_the_same_along_all_directions) {
 }
 
 // An independent way: the exact spectrum along each of 1,800 directions.
-TEST(rotated_spectrum, agrees_with_spectra_along_many_directions) {
-  const std::vector<double> a = sweep(0.3, 0.4), b = sweep(1.9, 0.7);
+void expect_spectra_along_many_directions(const std::vector<double>& a,
+                                          const std::vector<double>& b) {
   const std::vector<double> periods_s{0.05, 0.3, 1.1};
   const RotatedSpectrum s = rotated_spectrum(motion_of(a, b), periods_s);
   constexpr int directions = 1800;
@@ -86,6 +86,17 @@ TEST(rotated_spectrum, agrees_with_spectra_along_many_directions) {
     const double median = 0.5 * (along[i][directions / 2 - 1] + along[i][directions / 2]);
     EXPECT_NEAR(s.rotd50_mps2[i] / median, 1.0, 6e-4) << periods_s[i];
   }
+}
+
+TEST(rotated_spectrum, agrees_with_spectra_along_many_directions) {
+  const std::vector<double> a = sweep(0.3, 0.4), b = sweep(1.9, 0.7);
+  expect_spectra_along_many_directions(a, b);
+  std::vector<double> nearly_a = b;  // along a line of 31 degrees but for a hundredth
+  for (std::size_t i = 0; i < a.size(); ++i) nearly_a[i] = 0.6 * a[i] + 0.01 * b[i];
+  expect_spectra_along_many_directions(a, nearly_a);
+  std::vector<double> pulse = b;  // most of it in one short pulse
+  for (std::size_t i = 700; i < 715; ++i) pulse[i] += 20.0;
+  expect_spectra_along_many_directions(a, pulse);
 }
 
 TEST(rotated_spectrum, needs_two_horizontals) {
