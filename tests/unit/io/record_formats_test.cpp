@@ -63,6 +63,12 @@ const std::vector<Sample> samples = {
     {"cdmg_pairs.raw", "90 DEG"},
     {"cdmg_pairs.raw", "up", 0.5},
     {"bhrc.v1", "L1"},
+    {"renadic.v1", "L"},
+    {"renadic.v1", "T", -1},
+    {"renadic.v1", "V", 0.5},
+    {"asa.txt", "N00E"},
+    {"asa.txt", "N90W;", -1},
+    {"asa.txt", "+V", 0.5},
     {"bhrc.v1", "V1", 0.5},
     {"geonet.v1a", "N10E"},
     {"geonet.v1a", "Up", 0.5},
@@ -215,9 +221,9 @@ TEST(record_formats, a_file_cut_anywhere_is_refused_or_read) {
 
 TEST(record_formats, a_file_without_its_last_value_is_refused_where_its_header_states_how_many) {
   const TemporaryFolder folder;
-  for (const char* name :
-       {"at2_touching.at2", "knet.txt", "kiknet_surface.txt", "esm.asc", "esd.acc", "afad.txt",
-        "smc.smc", "usc.dat", "bhrc.v1", "geonet.v1a", "cwb.dat", "eqsig.txt", "sac_little.sac"}) {
+  for (const char* name : {"at2_touching.at2", "knet.txt", "kiknet_surface.txt", "esm.asc",
+                           "esd.acc", "afad.txt", "smc.smc", "usc.dat", "bhrc.v1", "asa.txt",
+                           "geonet.v1a", "cwb.dat", "eqsig.txt", "sac_little.sac"}) {
     const std::string whole = read_text_file(corpus / name);
     const bool is_binary = std::string_view(name).ends_with(".sac");
     const std::size_t end = is_binary ? whole.size() - 4 : whole.find_last_of("0123456789");

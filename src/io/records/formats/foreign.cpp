@@ -30,8 +30,6 @@ constexpr std::array foreign_kinds = {
                 "give the file of accelerations, V2"},
     ForeignKind{"", "response spectra  ", "holds spectra (V3), and no motion",
                 "give the file of accelerations, V2"},
-    ForeignKind{"", "archivo estandar de aceleracion", "is an ASA file of UNAM",
-                "give its columns as a table with a heading: N (gal), V (gal), E (gal)"},
 };
 
 /// SAC as text: 14 lines of five floats in 15 columns, 8 of five integers in 10, names, values.

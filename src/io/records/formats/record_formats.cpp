@@ -12,10 +12,10 @@ namespace {
 
 // Binary files first; then by the marks of their headers; what has none last.
 constexpr const RecordFormat* formats_in_order[] = {
-    &sac_format,           &miniseed_format, &foreign_format, &nied_format,  &dyna_format,
-    &esd_format,           &afad_format,     &cosmos_format,  &csmip_format, &smc_format,
-    &usc_format,           &bhrc_format,     &geonet_format,  &cwb_format,   &at2_format,
-    &headed_column_format, &table_format,    &column_format};
+    &sac_format, &miniseed_format,      &foreign_format, &nied_format,   &dyna_format,
+    &esd_format, &afad_format,          &cosmos_format,  &csmip_format,  &smc_format,
+    &usc_format, &bhrc_format,          &asa_format,     &geonet_format, &cwb_format,
+    &at2_format, &headed_column_format, &table_format,   &column_format};
 
 std::string without_blanks(std::string_view name) {
   std::string plain = lower_case(name);

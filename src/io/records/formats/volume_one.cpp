@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Uncorrected accelerograms in g/10 as the California Institute of Technology published them
 // (Hudson, Brady & Trifunac 1969-75, EERL, "Strong-Motion Earthquake Accelerograms", Volume I):
-// - USC and CDMG: text lines, integers, reals, then pairs of time and acceleration in 10F7.3,
-// mostly
-//   uneven, as films were digitised;
+// - USC, CDMG and RENADIC of Chile: text lines, integers, reals, then pairs of time and
+// acceleration
+//   in 10F7.3, mostly uneven, as films were digitised;
 // - BHRC of Iran: "* VOL1DS FILE" and the same header per component, then accelerations in 10E13.6
 //   (smd.bhrc.ac.ir, as downloaded 2012).
 #include <algorithm>
@@ -52,20 +52,30 @@ std::optional<VolumeOneHeader> volume_one_header(const RecordText& file, LineRea
     if (line.starts_with("COMP")) {
       header.name = std::string(trimmed(line.substr(4, 12)));
     } else if (line.starts_with("CHAN")) {
-      header.name = std::string(trimmed(line.substr(std::min(line.find(':') + 1, line.size()))));
+      // CHAN  1: L        (STA CHN:  1)
+      const std::string_view name = line.substr(std::min(line.find(':') + 1, line.size()));
+      header.name = std::string(trimmed(name.substr(0, name.find('('))));
+    } else if (const std::size_t at = line.find("(ORIGIN: "); at != std::string_view::npos) {
+      const std::string_view time = line.substr(at + 9, line.rfind(')') - at - 9);
+      // That of a clock that was not set.
+      if (!time.starts_with("01/01/1980")) header.stated.event = single_blanks(time);
     } else if (line.starts_with("NO. OF POINTS")) {
       read_points(file, lines, header);
     } else if (line.starts_with("Origin Time")) {
       header.stated.event = single_blanks(line.substr(std::min(line.find(':') + 1, line.size())));
-    } else if (line.starts_with("Epicenter")) {
+    } else if (line.starts_with("Epicenter") || line.starts_with("HYPOCENTER")) {
       state_magnitude(header.stated, line,
                       {{"Mw", "Mw"}, {"Ms", "Ms"}, {"ML", "ML"}, {"mb", "mb"}});
+    } else if (line.starts_with("STATION NO.")) {
+      lines.next();
+      header.station = std::string(trimmed(lines.line().substr(0, lines.line().find("S/N"))));
     } else if (line.find("STATION") != std::string_view::npos ||
                line.find("Station") != std::string_view::npos) {
       header.station = std::string(trimmed(line.substr(0, 40)));
     } else if (line.starts_with("UNITS ") && line.find(" ARE SEC") != std::string_view::npos &&
                line.find("AND") != std::string_view::npos) {
       header.unit = first_word(line.substr(line.find("AND") + 3));
+      while (header.unit.ends_with('.')) header.unit.pop_back();
       header.unit_line = lines.number();
       lines.next();  // blank, or the RMS
       for (std::size_t i = 0; i < volume_one_header_lines && lines.next(); ++i) continue;
