@@ -89,6 +89,7 @@ std::vector<std::string> improbable_values(const Motion& motion) {
 
 std::vector<std::string> notes_on(const Motion& motion) {
   std::vector<std::string> notes = motion.notes;
+  notes.insert(notes.end(), motion.processing.begin(), motion.processing.end());
   if (motion.starts_are_assumed)
     notes.emplace_back(
         "components of different steps or lengths: they are assumed to start together");

@@ -78,8 +78,9 @@ double peak_ground_displacement_m(double dt_s, std::span<const double> accelerat
   return peak;
 }
 
-double significant_duration_s(double dt_s, std::span<const double> first_mps2,
-                              std::span<const double> second_mps2) {
+std::array<double, 2> arias_times_s(double dt_s, std::span<const double> first_mps2,
+                                    std::span<const double> second_mps2,
+                                    const std::array<double, 2>& shares) {
   GLISSADE_EXPECTS(dt_s > 0.0);
   const auto at = [](std::span<const double> component, std::size_t n) {
     return n < component.size() ? component[n] : 0.0;
@@ -93,13 +94,20 @@ double significant_duration_s(double dt_s, std::span<const double> first_mps2,
   std::vector<double> sum{0.0};
   for (std::size_t n = 0; n < size; ++n)
     sum.push_back(sum.back() + step(first_mps2, n) + step(second_mps2, n));
-  if (sum.back() == 0.0) return 0.0;
+  if (sum.back() == 0.0) return {0.0, 0.0};
   const auto time_s = [&](double share) {
     const auto after = std::ranges::lower_bound(sum, share * sum.back());
+    if (after == sum.begin()) return 0.0;
     const auto n = static_cast<double>(after - sum.begin());
     return dt_s * (n - (*after - share * sum.back()) / (*after - *std::prev(after)));
   };
-  return time_s(0.95) - time_s(0.05);
+  return {time_s(shares[0]), time_s(shares[1])};
+}
+
+double significant_duration_s(double dt_s, std::span<const double> first_mps2,
+                              std::span<const double> second_mps2) {
+  const auto [from_s, to_s] = arias_times_s(dt_s, first_mps2, second_mps2, {0.05, 0.95});
+  return to_s - from_s;
 }
 
 double combine(HorizontalCombination combination, double first, double second) {

@@ -16,6 +16,22 @@ constexpr double step_tolerance = 1e-6;  ///< of a step
 
 }  // namespace
 
+std::vector<double> on_step(const std::string& name, const Samples& a, double dt_s, double step_s) {
+  const double ratio = step_s / dt_s, intervals = static_cast<double>(a.size()) / ratio;
+  if (intervals > static_cast<double>(most_samples))
+    throw InputError(
+        {name, fmt::format("step_s = {:g} s gives more than {} samples", step_s, most_samples),
+         "give the shortest step of the record's components", ""});
+  std::vector<double> samples(static_cast<std::size_t>(std::ceil(intervals - step_tolerance)));
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    const double at = static_cast<double>(i) * ratio;
+    const auto before = std::min(static_cast<std::size_t>(at), a.size() - 1);
+    const double next = before + 1 < a.size() ? a[before + 1] : 0.0;  // then it is zero
+    samples[i] = std::lerp(a[before], next, at - static_cast<double>(before));
+  }
+  return samples;
+}
+
 Record resampled(Record record, double step_s) {
   GLISSADE_EXPECTS(step_s > 0.0 && record.dt_s > 0.0);
   const double ratio = step_s / record.dt_s;
@@ -25,20 +41,7 @@ Record resampled(Record record, double step_s) {
         {record.name,
          fmt::format("step_s = {:g} s is longer than its step, {:g} s", step_s, record.dt_s),
          "give the shortest step of the record's components", ""});
-  const Samples& a = record.acceleration_mps2;
-  const double intervals = static_cast<double>(a.size()) / ratio;
-  if (intervals > static_cast<double>(most_samples))
-    throw InputError(
-        {record.name,
-         fmt::format("step_s = {:g} s gives more than {} samples", step_s, most_samples),
-         "give the shortest step of the record's components", ""});
-  std::vector<double> samples(static_cast<std::size_t>(std::ceil(intervals - step_tolerance)));
-  for (std::size_t i = 0; i < samples.size(); ++i) {
-    const double at = static_cast<double>(i) * ratio;
-    const auto before = std::min(static_cast<std::size_t>(at), a.size() - 1);
-    const double next = before + 1 < a.size() ? a[before + 1] : 0.0;  // then it is zero
-    samples[i] = std::lerp(a[before], next, at - static_cast<double>(before));
-  }
+  std::vector<double> samples = on_step(record.name, record.acceleration_mps2, record.dt_s, step_s);
   record.notes.push_back(
       fmt::format("resampled from {:g} to {:g} s, by straight lines", record.dt_s, step_s));
   record.dt_s = step_s;

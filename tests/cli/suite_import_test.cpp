@@ -35,7 +35,8 @@ TEST_F(SuiteImportCommand, makes_a_suite_that_other_commands_read_and_lists_what
   EXPECT_EQ(child.status, 0) << child.err;
   EXPECT_THAT(child.out, states("Imported records", "PLC", "000, 090",
                                 "ONE-090.txt: one horizontal", "notes.md", "suite file"));
-  EXPECT_THAT(read_file(out), states("name = \"mine\"", "file = \"in/PLC-000.txt\", sha256 = \""));
+  EXPECT_THAT(read_file(out),
+              states("name = \"mine\"", "file = \"in/PLC-000.txt\", azimuth_deg = 0, sha256 = \""));
   const Finished show = run_program({"suite", "show", out});
   EXPECT_EQ(show.status, 0) << show.err;
   EXPECT_THAT(show.out, HasSubstr("PLC"));

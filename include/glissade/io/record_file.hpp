@@ -64,6 +64,9 @@ Record read_record(const std::filesystem::path& file, const RecordFileOptions& o
 /// What the sources of a motion's components contradict: two stations, a vertical component as a
 /// horizontal one or the reverse, horizontals that are not perpendicular. Of files that do not
 /// state their source: nothing.
+/// Clockwise from north, where the file of a horizontal component states it.
+std::optional<double> stated_azimuth_deg(const Record& record);
+
 std::vector<std::string> source_contradictions(const TimedRecord& first,
                                                const std::optional<TimedRecord>& second,
                                                const std::optional<TimedRecord>& vertical);

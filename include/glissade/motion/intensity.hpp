@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <span>
 #include <vector>
 
@@ -16,6 +17,11 @@ double peak_ground_velocity_mps(double dt_s, std::span<const double> acceleratio
 
 /// Largest |displacement| at the samples, integrated from rest as the velocity is. dt_s > 0.
 double peak_ground_displacement_m(double dt_s, std::span<const double> acceleration_mps2);
+/// When two shares (0 to 1, increasing) of the integral of the squared accelerations of up to two
+/// components together are reached; {0, 0} for motions that are zero throughout.
+std::array<double, 2> arias_times_s(double dt_s, std::span<const double> first_mps2,
+                                    std::span<const double> second_mps2,
+                                    const std::array<double, 2>& shares);
 /// D5-95: the time between 5 and 95 % of the integral of the squared accelerations, of up to two
 /// components together (Trifunac & Brady 1975; Husid 1969). 0 for motions that are zero throughout.
 double significant_duration_s(double dt_s, std::span<const double> first_mps2,

@@ -28,6 +28,8 @@ struct Motion {
   std::vector<std::string> contradictions;
   /// What reading its files found or changed.
   std::vector<std::string> notes;
+  /// What its suite asked for and was done with it, in order (motion_processing.hpp).
+  std::vector<std::string> processing;
   /// Its components differ in step or length, and nothing states how they lie in time.
   bool starts_are_assumed = false;
 };

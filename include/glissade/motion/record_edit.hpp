@@ -10,6 +10,11 @@ namespace glissade {
 /// longer than its step, which would lose frequencies, and where the samples would be too many.
 Record resampled(Record record, double step_s);
 
+/// Samples of the step dt_s at another one, along the straight lines between them. `name` for the
+/// InputError where they would be too many.
+std::vector<double> on_step(const std::string& name, const Samples& samples, double dt_s,
+                            double step_s);
+
 /// Without what is at and after end_s, from its first sample. Throws InputError where nothing is
 /// left.
 Record ended_at(Record record, double end_s);

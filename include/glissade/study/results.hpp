@@ -33,6 +33,7 @@ struct RecordSummary {
   /// As recorded, geometric means of the horizontals; NaN or empty where not known.
   double arias_mps = std::numeric_limits<double>::quiet_NaN();
   std::vector<double> sa_g, roof_velocity_mps;  ///< 5 % damped, at Results::record_periods_s
+  std::string processing;  ///< what its suite asked for and was done with it
 };
 
 /// 5 % spectra of the suite, scaled to `reference_level` (sds_g) or by the suite's own factors

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "suite/motions_table.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -59,9 +60,12 @@ std::vector<Column> columns() {
 }  // namespace
 
 Table motions_table(const Suite& suite) {
+  const bool is_processed =
+      std::ranges::any_of(suite.motions, [](const Motion& m) { return !m.processing.empty(); });
   Table table{"motions",
-              "As recorded, without the suite's scale. PGA, PGV and PGD are geometric means of the "
-              "horizontals, D5-95 is of both together.",
+              std::string(is_processed ? "Processed, as the notes say" : "As recorded") +
+                  ", without the suite's scale. PGA, PGV and PGD are geometric means of the "
+                  "horizontals, D5-95 is of both together.",
               columns(),
               {}};
   constexpr auto mean = HorizontalCombination::geometric_mean;

@@ -9,6 +9,7 @@
 #include "import/found_files.hpp"
 #include "import/pairing.hpp"
 #include "records/record_entry.hpp"
+#include "import/component_name.hpp"
 #include "text/scan.hpp"
 #include "toml/toml_text.hpp"
 
@@ -78,6 +79,8 @@ SuiteImport import_suite(const ImportOptions& options) {
 std::string imported_suite_toml(const SuiteImport& found, const ImportedSuiteHead& head,
                                 const fs::path& folder) {
   std::string text;
+  if (const auto direction = component_direction(component.header.direction))
+    entry.azimuth_deg = direction->azimuth_deg;
   for (const std::string& comment : head.comments) text += "# " + printable_name(comment) + "\n";
   text += fmt::format("\n[suite]\nname = {}\n", quoted(head.name));
   if (head.units) text += fmt::format("units = {}\n", quoted(to_string(*head.units)));

@@ -17,13 +17,16 @@ struct Source {
   std::string station, direction;
 };
 
-std::optional<Source> source_of(const std::optional<TimedRecord>& component) {
-  if (!component) return std::nullopt;
-  const std::string_view text = component->record.source;
+std::optional<Source> source_of(const Record& record) {
+  const std::string_view text = record.source;
   const std::size_t comma = text.rfind(',');
   if (comma == std::string_view::npos) return std::nullopt;
   return Source{std::string(trimmed(text.substr(0, comma))),
                 std::string(trimmed(text.substr(comma + 1)))};
+}
+
+std::optional<Source> source_of(const std::optional<TimedRecord>& component) {
+  return component ? source_of(component->record) : std::nullopt;
 }
 
 bool is_vertical(const Source& source) {
@@ -40,6 +43,12 @@ bool are_perpendicular(double one_deg, double other_deg) {
 }
 
 }  // namespace
+
+std::optional<double> stated_azimuth_deg(const Record& record) {
+  const auto source = source_of(record);
+  const auto azimuth = source ? azimuth_deg(*source) : std::nullopt;
+  return azimuth && std::abs(*azimuth) <= 360.0 ? azimuth : std::nullopt;
+}
 
 std::vector<std::string> source_contradictions(const TimedRecord& first,
                                                const std::optional<TimedRecord>& second,

@@ -53,6 +53,25 @@ Record edited(Record component, double start_s, const RecordEntry& entry) {
 }
 
 /// Of the sources of its components, and of their samples.
+/// Azimuths that the suite states, else those of the files; a difference between them is found.
+MotionDirections directions_of(const RecordEntry& entry,
+                               const std::array<const TimedRecord*, 2>& horizontals,
+                               std::vector<std::string>& found) {
+  constexpr double most_apart_deg = 1.0;
+  MotionDirections directions{{}, entry.strike_deg};
+  for (std::size_t i = 0; i < horizontals.size(); ++i) {
+    const char* key = i == 0 ? "first" : "second";
+    if (horizontals[i] == nullptr) continue;
+    const auto stated = entry.components.at(key).azimuth_deg,
+               of_file = stated_azimuth_deg(horizontals[i]->record);
+    directions.horizontal_deg[i] = stated ? stated : of_file;
+    if (stated && of_file && std::abs(std::remainder(*stated - *of_file, 360.0)) > most_apart_deg)
+      found.push_back(fmt::format("azimuth_deg = {:g} of the {} component, whose file states {:g}",
+                                  *stated, key, *of_file));
+  }
+  return directions;
+}
+
 std::vector<std::string> contradictions(const TimedRecord& first,
                                         const std::optional<TimedRecord>& second,
                                         const std::optional<TimedRecord>& vertical) {
@@ -78,22 +97,35 @@ class RecordedSuiteReader {
  public:
   /// @param units of files that do not state theirs
   RecordedSuiteReader(const std::filesystem::path& suite_file,
-                      std::optional<AccelerationUnits> units)
-      : suite_file_(suite_file), finder_(suite_file.parent_path()), units_(units) {}
+                      std::optional<AccelerationUnits> units, MotionProcessing processing)
+      : suite_file_(suite_file),
+        finder_(suite_file.parent_path()),
+        units_(units),
+        processing_(std::move(processing)) {}
 
   void read(const TomlTable& record, Suite& suite) {
     const std::size_t problems_before = record.problem_count();
-    const RecordEntry entry = read_record_entry(record);
+    RecordEntry entry = read_record_entry(record);
+    entry.processing = entry.processing.or_else(processing_);
     if (!record.has("first"))
       record.report_missing("first", "name the file of the first horizontal component");
-    const auto first = load(record, "first", entry);
-    const auto second = load(record, "second", entry);
-    const auto vertical = load(record, "vertical", entry);
+    auto first = load(record, "first", entry);
+    auto second = load(record, "second", entry);
+    auto vertical = load(record, "vertical", entry);
     if (!first || record.problem_count() > problems_before) return;
     try {
       Motion metadata = entry.metadata;
       metadata.contradictions = contradictions(*first, second, vertical);
-      suite.motions.push_back(assemble_motion(std::move(metadata), *first, second, vertical));
+      const MotionDirections directions =
+          directions_of(entry, {&*first, second ? &*second : nullptr}, metadata.contradictions);
+      for (TimedRecord* component :
+           {&*first, second ? &*second : nullptr, vertical ? &*vertical : nullptr})
+        if (component != nullptr && entry.processing.baseline_degree)
+          component->record =
+              without_baseline(std::move(component->record), *entry.processing.baseline_degree);
+      suite.motions.push_back(
+          processed(assemble_motion(std::move(metadata), *first, second, vertical),
+                    entry.processing, directions));
     } catch (const InputError& error) {
       return record.report("", error);
     }
@@ -177,7 +209,7 @@ class RecordedSuiteReader {
   }
 
   std::optional<TimedRecord> load(const TomlTable& record, const char* key,
-                                  const RecordEntry& of_record) {
+                                  RecordEntry& of_record) {
     const std::size_t problems_before = record.problem_count();
     auto entry = read_component_entry(record, key);
     if (!entry || record.problem_count() > problems_before) return std::nullopt;
@@ -193,6 +225,10 @@ class RecordedSuiteReader {
     const std::optional<Record>& read = read_once(found->path, *entry, record, key);
     if (!read || record.problem_count() > problems_before) return std::nullopt;
     try {
+    of_record.components[key] = *entry;
+    if (entry->azimuth_deg && key == std::string_view("vertical"))
+      record.report(key, "azimuth_deg is of a horizontal component, and this is the vertical",
+                    "leave it out");
       return TimedRecord{edited(*read, entry->start_s, of_record), entry->start_s};
     } catch (const InputError& error) {
       record.report(key, error);
@@ -211,6 +247,7 @@ class RecordedSuiteReader {
 };
 
 Suite read_recorded_suite(const std::filesystem::path& file, TomlDocument& document) {
+  MotionProcessing processing_;  ///< of records that do not state theirs
   const TomlTable root = document.root();
   const TomlTable head = root.required_table("suite");
   Suite suite;
@@ -225,7 +262,7 @@ Suite read_recorded_suite(const std::filesystem::path& file, TomlDocument& docum
   const std::vector<TomlTable> records = root.tables("record");
   if (records.empty())
     root.report_missing("record", "give [[record]] entries, or [simulation] and [[motion]]");
-  RecordedSuiteReader reader(file, read_units(head));
+  RecordedSuiteReader reader(file, read_units(head), read_processing(root));
   for (const TomlTable& record : records) reader.read(record, suite);
   check_ids(records);
   reader.report_missing(document);

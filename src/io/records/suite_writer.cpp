@@ -25,8 +25,10 @@ Library read_library(const fs::path& file) {
   const TomlTable head = document.root().table("suite");
   head.ignore_unknown();
   Library library{read_units(head), {}};
+  const MotionProcessing of_all = read_processing(document.root());
   for (const TomlTable& record : document.root().tables("record")) {
     RecordEntry entry = read_record_entry(record);
+    entry.processing = entry.processing.or_else(of_all);
     for (const char* key : {"first", "second", "vertical"}) {
       if (auto component = read_component_entry(record, key))
         entry.components[key] = std::move(*component);

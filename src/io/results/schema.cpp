@@ -87,12 +87,22 @@ void exchange_histories(const Archive& archive, const IntensityScale& scale, R& 
   });
 }
 
+/// Whether the file has, or is to have, what was done with the motions: nothing as a rule.
+template <class Archive, class Records>
+bool is_processed(const Archive& archive, const Records& records) {
+  if constexpr (Archive::reads) return archive.has("processing");
+  return std::ranges::any_of(records, [](const RecordSummary& r) { return !r.processing.empty(); });
+}
+
 template <class Archive, class Records, class Periods>
 void exchange_records(const Archive& archive, Records& records, Periods& periods_s) {
   const Columns column(archive, records, "id");
   column("id", {"-", "name of the motion in its suite"}, &RecordSummary::id);
   column("event", {"-", "earthquake"}, &RecordSummary::event);
   column("station", {"-", "station"}, &RecordSummary::station);
+  if (is_processed(archive, records))
+    column("processing", {"-", "what the suite asked for and was done with the motion"},
+           &RecordSummary::processing);
   column("dt_s", {"s", "time step"}, &RecordSummary::dt_s);
   column("magnitude", {"-", "moment magnitude; 0 where not given"}, &RecordSummary::magnitude);
   column("distance_km", {"km", "rupture distance; 0 where not given"}, &RecordSummary::distance_km);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -30,6 +31,21 @@ std::string rsn_of(const std::vector<ComponentFile>& files, const std::string& r
   return "-";
 }
 
+/// "Nos. 1, 2: processed: ...", of records that were processed in one way.
+std::vector<std::string> processing_notes(const std::vector<RecordSummary>& records) {
+  std::vector<std::string> notes;
+  for (auto first = records.begin(); first != records.end(); ++first) {
+    const auto is_same = [&](const RecordSummary& r) { return r.processing == first->processing; };
+    if (first->processing.empty() || std::any_of(records.begin(), first, is_same)) continue;
+    std::vector<std::ptrdiff_t> numbers;
+    for (auto r = first; r != records.end(); ++r)
+      if (is_same(*r)) numbers.push_back(r - records.begin() + 1);
+    notes.push_back(fmt::format("Not as recorded but processed, No. {}: {}.",
+                                fmt::join(numbers, ", "), first->processing));
+  }
+  return notes;
+}
+
 }  // namespace
 
 Table motions_table(const CalculationPackage& package) {
@@ -49,6 +65,8 @@ Table motions_table(const CalculationPackage& package) {
                not_given(r.distance_km, fmt::format("{:.1f}", r.distance_km)),
                not_given(r.vs30_mps, fmt::format("{:.0f}", r.vs30_mps))});
   }
+  for (std::string& note : processing_notes(package.demand.records))
+    table.notes.push_back(std::move(note));
   return has_rsn ? table : table.without("rsn");
 }
 

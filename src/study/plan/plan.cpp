@@ -166,6 +166,7 @@ void hash_motion(Hasher& hasher, const Motion& motion) {
   for (const auto& component : motion.horizontal_mps2) hasher.numbers(component);
   hasher.numbers(motion.vertical_mps2);
   for (const std::string& text : motion.contradictions) hasher.text(text);
+  for (const std::string& text : motion.processing) hasher.text(text);
 }
 
 void hash_case(Hasher& hasher, const Case& c) {

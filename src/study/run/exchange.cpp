@@ -15,7 +15,8 @@ template <class M, class Visit>
 void for_each_part(M& m, Visit visit) {
   visit(m.id), visit(m.event), visit(m.station);
   visit(m.magnitude), visit(m.distance_km), visit(m.vs30_mps), visit(m.scale), visit(m.dt_s);
-  visit(m.contradictions), visit(m.notes), visit(m.starts_are_assumed);
+  visit(m.contradictions), visit(m.notes), visit(m.processing);
+  visit(m.starts_are_assumed);
 }
 template <class M, class Visit>
 void for_each_component(M& m, Visit visit) {

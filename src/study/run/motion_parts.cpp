@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "glissade/study/run/motion_parts.hpp"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -33,6 +36,7 @@ RecordSummary summary_of(const Plan& plan, std::size_t record) {
   r.id = motion.id;
   r.event = motion.event;
   r.station = motion.station;
+  r.processing = fmt::format("{}", fmt::join(motion.processing, "; "));
   r.magnitude = motion.magnitude;
   r.distance_km = motion.distance_km;
   r.vs30_mps = motion.vs30_mps;

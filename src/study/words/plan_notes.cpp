@@ -67,8 +67,8 @@ std::vector<std::string> notes_on_records(const Plan& plan) {
                     assumed.size(), records, listed(assumed)));
   std::map<std::string, std::vector<std::string>> read_so;
   for (std::size_t record = 0; record < records; ++record)
-    for (const std::string& note : plan.motion(record).notes)
-      read_so[note].push_back(plan.motion(record).id);
+    for (const auto* notes : {&plan.motion(record).notes, &plan.motion(record).processing})
+      for (const std::string& note : *notes) read_so[note].push_back(plan.motion(record).id);
   for (const auto& [note, ids] : read_so)
     notes.push_back(
         fmt::format("{} of {} records, {}: {}", ids.size(), records, note, listed(ids)));

@@ -171,6 +171,60 @@ TEST_F(SuiteFile, more_samples_than_a_suite_may_have_are_refused_once) {
               one_problem("suite.toml", "100 million samples", "r50"));
 }
 
+// The tools themselves: motion_processing_test.cpp.
+TEST_F(SuiteFile, processing_is_of_all_records_key_by_key_unless_one_states_its_own) {
+  folder_.write("suites/a.txt", "# acceleration_g\n# DT = 0.01\n3\n4\n8\n");
+  folder_.write("suites/b.txt", "# acceleration_g\n# DT = 0.01\n1\n1\n1\n");
+  const auto record = [](const char* id, const char* more) {
+    return std::string("[[record]]\nid = \"") + id +
+           "\"\nfirst = { file = \"a.txt\", azimuth_deg = 0 }\n"
+           "second = { file = \"b.txt\", azimuth_deg = 90 }\n" +
+           more;
+  };
+  const Suite suite = load(head + "[processing]\nbaseline_degree = 0\n" + record("mean", "") +
+                           record("line", "processing = { baseline_degree = 1 }\n") +
+                           record("turned",
+                                  "strike_deg = 0\n[record.processing]\nrotate_to = "
+                                  "\"fault_normal\"\n"));
+  const auto first_g = [&](std::size_t i) {
+    std::vector<double> a = suite.motions[i].horizontal_mps2[0].copy();
+    for (double& x : a) x /= standard_gravity_mps2;
+    return a;
+  };
+  const auto near = [](double x) { return testing::DoubleNear(x, 1e-13); };
+  EXPECT_THAT(first_g(0), ElementsAre(near(-2), near(-1), near(3)));
+  EXPECT_THAT(first_g(1), ElementsAre(near(0.5), near(-1), near(0.5)));
+  EXPECT_THAT(first_g(2), ElementsAre(near(0), near(0), near(0)));
+  EXPECT_THAT(suite.motions[2].processing,
+              ElementsAre(testing::HasSubstr("polynomial of degree 0"),
+                          testing::HasSubstr("to 90 (fault-normal) and 180")));
+}
+
+TEST_F(SuiteFile, mistakes_in_processing_have_one_message_each) {
+  folder_.write("suites/a.txt", "# acceleration_g\n# DT = 0.01\n3\n4\n8\n");
+  const auto with = [](const std::string& keys) {
+    return head + "[processing]\n" + keys +
+           "\n[[record]]\nid = \"r\"\nfirst = { file = \"a.txt\", azimuth_deg = 10 }\n"
+           "second = { file = \"a.txt\", azimuth_deg = 100 }\n";
+  };
+  refuses(
+      {{with("baseline_degree = 9"), "suite.toml:5", {"baseline_degree", "0 to 5"}},
+       {with("band_pass = {}"), "suite.toml:5", {"low_hz, high_hz, or both"}},
+       {with("band_pass = { low_hz = 5, high_hz = 0.1 }"), "suite.toml:5", {"not in order"}},
+       {with("band_pass = { low_hz = 0.1, order = 40 }"), "suite.toml:5", {"order", "1 to 8"}},
+       {with("band_pass = { high_hz = 50 }"), "suite.toml:6", {"half of its sampling rate"}},
+       {with("arias_percent = [95, 5]"), "suite.toml:5", {"two percentages", "[5, 95]"}},
+       {with("rotate_to_deg = 700"), "suite.toml:5", {"from 0 to 360"}},
+       {with("rotate_to = \"fault\""), "suite.toml:5", {"fault_normal", "fault_parallel"}},
+       {with("rotate_to = \"fault_normal\""), "suite.toml:6", {"strike_deg"}},
+       {with("rotate_to_deg = 0\nrotate_to = \"fault_normal\""), "suite.toml:6", {"both given"}},
+       {with("step_s = 0.02"), "suite.toml:6", {"frequencies above 12.5 Hz", "high_hz"}},
+       {with("detrend = 1"), "suite.toml:5", {"detrend"}},
+       {with("") + "vertical = { file = \"a.txt\", azimuth_deg = 5 }\n",
+        "suite.toml:10",
+        {"the vertical"}}});
+}
+
 TEST_F(SuiteFile, records_are_found_below_the_folders_of_the_environment) {
   const std::string suite = head + "[[record]]\nid = \"a\"\nfirst = \"set/a.txt\"\n";
   folder_.write("r1/readme", "");

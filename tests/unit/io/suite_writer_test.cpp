@@ -79,6 +79,29 @@ TEST_F(SuiteWriter, writes_a_suite_that_loads_from_another_folder_with_the_same_
   EXPECT_EQ(motion.vertical_mps2.size(), 5u);
 }
 
+TEST_F(SuiteWriter, processing_and_directions_go_with_their_records) {
+  const std::string of_all =
+      "[processing]\nband_pass = { low_hz = 0.1, high_hz = 20, order = 3 }\narias_percent = [1, "
+      "99]\n"
+      "step_s = 0.004\n";
+  library_ = folder_.write("library/library.toml",
+                           of_all + library_toml +
+                               "[[record]]\nid = \"turned\"\nstrike_deg = 12.5\n"
+                               "first = { file = \"records/a.acc\", azimuth_deg = 67.5 }\n"
+                               "processing = { rotate_to = \"fault_parallel\", arias_percent = "
+                               "[5, 95], baseline_degree = 2 }\n");
+  const std::string text = text_for("library", {{"first", 1.0}, {"turned", 1.0}});
+  EXPECT_THAT(
+      text,
+      testing::AllOf(
+          HasSubstr("processing = { band_pass = { low_hz = 0.1, high_hz = 20, order = 3 }, "
+                    "arias_percent = [1, 99], step_s = 0.004 }\nfirst = \"a.acc\""),
+          HasSubstr("strike_deg = 12.5\nprocessing = { baseline_degree = 2, band_pass = { low_hz = "
+                    "0.1, high_hz = 20, order = 3 }, rotate_to = \"fault_parallel\", "
+                    "arias_percent = [5, 95], step_s = 0.004 }"),
+          HasSubstr("azimuth_deg = 67.5")));
+}
+
 TEST_F(SuiteWriter, keeps_names_that_are_not_beside_the_library) {
   // They are found by GLISSADE_RECORDS, wherever the suite file is.
   EXPECT_THAT(text_for("elsewhere", {{"first", 1.0}}), HasSubstr("first = \"a.acc\"\n"));

@@ -48,7 +48,8 @@ Table records_table(const Results& results) {
                {"dt", "s", "Step, s"},
                {"samples", "", "Samples", ColumnKind::count},
                text_column("has_second", "2nd axis"),
-               text_column("has_vertical", "Vertical")},
+               text_column("has_vertical", "Vertical"),
+               text_column("processing", "Processing")},
               {}};
   table.is_of_inputs = true;
   const auto yes_no = [](bool value) -> std::string { return value ? "yes" : "no"; };
@@ -56,9 +57,13 @@ Table records_table(const Results& results) {
     table.add({static_cast<double>(table.rows.size() + 1), results.suites.at(r.suite).name, r.id,
                r.event, r.station, r.magnitude, r.distance_km, r.vs30_mps, r.suite_scale,
                r.factor_at_unit_level, r.pga_g, r.pgv_mps, r.pgd_m, r.duration_s, r.dt_s,
-               static_cast<double>(r.samples), yes_no(r.has_second), yes_no(r.has_vertical)});
+               static_cast<double>(r.samples), yes_no(r.has_second), yes_no(r.has_vertical),
+               r.processing});
   }
   if (results.suites.size() == 1) table = table.without("suite");
+  if (std::ranges::all_of(results.records,
+                          [](const RecordSummary& r) { return r.processing.empty(); }))
+    table = table.without("processing");
   return results.suites.front().of_roof ? in_words_of_roof(std::move(table)) : table;
 }
 
