@@ -28,6 +28,7 @@ struct RecordFileOptions {
   /// Of a file that states none, where `units` is not given either: those of its suite.
   std::optional<AccelerationUnits> units_if_not_stated = std::nullopt;
   /// Of a file of several components: the name or the number of one. With no other it is an error.
+  /// Of an archive: the file in it, and its component behind #.
   std::string component = {};
   /// Counts of the recorder for one of `units`, of files that hold counts (miniSEED, COSMOS V0). >
   /// 0.
@@ -36,16 +37,18 @@ struct RecordFileOptions {
   const StationMetadata* stations = nullptr;
 };
 
-/// "floor.csv" and "U1" of "floor.csv#U1"; no component where the whole is a file, or has no #.
+/// "floor.csv" and "U1" of "floor.csv#U1", "all.zip" and "a.csv#U1" of "all.zip#a.csv#U1": a file
+/// that is there and what follows, else up to the last #; no component where the whole is a file.
 struct ComponentAddress {
   std::string file, component;
 };
 ComponentAddress split_address(const std::string& name);
 
-/// Reads one component of a file in any of the formats of suites/README.md, recognised by content
-/// and not by name: PEER AT2, K-NET, ESM, COSMOS, CSMIP, SMC, GeoNet, SAC, miniSEED and others,
-/// tables with a heading, and plain columns. Units and step are those of its header; what it does
-/// not state the options must, and nothing is assumed.
+/// Reads one component of a file, or of a file in an archive (zip, tar, gzip), in any of the
+/// formats of suites/README.md, recognised by content and not by name: PEER AT2, K-NET, ESM,
+/// COSMOS, CSMIP, SMC, GeoNet, SAC, miniSEED and others, tables with a heading, and plain columns.
+/// Units and step are those of its header; what it does not state the options must, and nothing is
+/// assumed.
 /// - one column: accelerations.
 /// - two columns: time (s) and acceleration, separated by blanks, tabs or a comma. The times must
 /// be evenly spaced to the decimals they are printed with; the step is (last - first) / (n - 1), to
@@ -61,12 +64,12 @@ ComponentAddress split_address(const std::string& name);
 /// changed in reading is in the record's notes.
 Record read_record(const std::filesystem::path& file, const RecordFileOptions& options = {});
 
-/// What the sources of a motion's components contradict: two stations, a vertical component as a
-/// horizontal one or the reverse, horizontals that are not perpendicular. Of files that do not
-/// state their source: nothing.
 /// Clockwise from north, where the file of a horizontal component states it.
 std::optional<double> stated_azimuth_deg(const Record& record);
 
+/// What the sources of a motion's components contradict: two stations, a vertical component as a
+/// horizontal one or the reverse, horizontals that are not perpendicular. Of files that do not
+/// state their source: nothing.
 std::vector<std::string> source_contradictions(const TimedRecord& first,
                                                const std::optional<TimedRecord>& second,
                                                const std::optional<TimedRecord>& vertical);

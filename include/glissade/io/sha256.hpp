@@ -3,10 +3,13 @@
 
 #include <filesystem>
 #include <string>
+#include <string_view>
 
 namespace glissade {
 
-/// SHA-256 of a file (FIPS 180-4) in hexadecimal digits. Throws InputError where it cannot be read.
+/// SHA-256 (FIPS 180-4) in hexadecimal digits.
+std::string sha256_of(std::string_view bytes);
+/// Of a file. Throws InputError where it cannot be read.
 std::string sha256_of_file(const std::filesystem::path& file);
 
 }  // namespace glissade

@@ -40,9 +40,13 @@ struct RecordFile {
   std::string component;  ///< "first", "second", "vertical"
   std::string name;       ///< as the suite file gives it
   std::filesystem::path path;
+  std::string inside;  ///< what stands behind the file: a component, or a file of an archive
 };
 /// Those of a suite that load_suite() reads; none of simulated motions.
 std::vector<RecordFile> record_files(const std::filesystem::path& suite_file);
+
+/// SHA-256 of each; of a file in an archive that of this file.
+std::vector<std::string> sha256_of(const std::vector<RecordFile>& files);
 
 /// The recipe in a file with [simulation] and [[motion]]; nothing is simulated.
 SyntheticRecipe read_recipe(const std::filesystem::path& file);

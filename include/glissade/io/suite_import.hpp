@@ -15,7 +15,7 @@
 namespace glissade {
 
 struct ImportOptions {
-  std::vector<std::filesystem::path> inputs;  ///< files, and folders with all that is below them
+  std::vector<std::filesystem::path> inputs;  ///< files, archives, folders with all below them
   std::optional<std::filesystem::path> report;
   RecordFileOptions missing;  ///< units_if_not_stated and dt_s of files that do not state theirs
   bool trim = false;          ///< to the end of the shortest component
@@ -26,6 +26,7 @@ struct ImportOptions {
 /// A component as it was read, without its samples.
 struct FoundComponent {
   std::filesystem::path file;
+  std::string member;   ///< of an archive, the file in it
   std::string address;  ///< behind the file: "#2"; empty: the only one
   std::string name;     ///< as the file names it; may be empty
   std::string format;
@@ -35,11 +36,17 @@ struct FoundComponent {
   double pga_g = 0.0;
   bool is_dead = false;  ///< all samples of one value
   std::vector<std::string> notes, faults;
-  std::string sha256;                 ///< of the file
+  std::string sha256;                 ///< of the file, in an archive of the member
   std::uint64_t samples_hash = 0;     ///< of step and samples
   std::optional<double> stated_dt_s;  ///< by the options, as the file does not state it
 
-  std::string shown() const { return file.filename().string() + address; }
+  /// Without folders.
+  std::string file_name() const {
+    return (member.empty() ? file : std::filesystem::path(member)).filename().string();
+  }
+  std::string shown() const { return file_name() + address; }
+  /// What a suite names.
+  std::string whole_address() const { return (member.empty() ? "" : "#" + member) + address; }
 };
 
 struct LeftOut {

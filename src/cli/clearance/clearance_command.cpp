@@ -40,9 +40,11 @@ struct ClearanceOptions {
 };
 
 std::vector<ComponentFile> component_files(const fs::path& suite) {
+  const std::vector<RecordFile> records = record_files(suite);
+  const std::vector<std::string> sums = sha256_of(records);
   std::vector<ComponentFile> files;
-  for (const RecordFile& f : record_files(suite))
-    files.push_back({f.record, f.component, f.name, sha256_of_file(f.path)});
+  for (std::size_t i = 0; i < records.size(); ++i)
+    files.push_back({records[i].record, records[i].component, records[i].name, sums[i]});
   return files;
 }
 

@@ -262,7 +262,9 @@ void add_suite(CLI::App& program) {
   };
   CLI::App* show_verb =
       verb("show", "List the motions of a suite, or the components of record files", show);
-  show_verb->add_option("suite", o->suite, "suite file (TOML), record file, or folder of them")
+  show_verb
+      ->add_option("suite", o->suite,
+                   "suite file (TOML), record file, or folder or archive of them")
       ->required();
   o->missing.add_to(*show_verb);
   show_verb->add_option("--out", o->out, "new CSV file with each component [none is written]");

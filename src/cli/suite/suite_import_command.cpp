@@ -95,7 +95,7 @@ Json to_json(const SuiteImport& found) {
     for (std::size_t i = 0; i < r.components.size(); ++i) {
       if (!r.components[i]) continue;
       const FoundComponent& c = found.components[*r.components[i]];
-      record[keys[i]] = {{"file", c.file.string() + c.address},
+      record[keys[i]] = {{"file", c.file.string() + c.whole_address()},
                          {"format", c.format},
                          {"dt_s", c.dt_s},
                          {"samples", c.samples},
@@ -151,9 +151,10 @@ void add_suite_import(CLI::App& suite) {
   auto o = std::make_shared<ImportCommand>();
   CLI::App* command =
       suite.add_subcommand("import", "Make a suite of record files as they are downloaded");
-  command->add_option("files", o->inputs, "record files, and folders of them")->required();
+  command->add_option("files", o->inputs, "record files, folders and archives of them")->required();
   command->add_option("--report", o->report,
-                      "PEER's _SearchResults.csv, or the flatfile of ESM: magnitudes, distances, "
+                      "PEER's _SearchResults.csv (in an archive: FILE.zip#_SearchResults.csv), or "
+                      "the flatfile of ESM: magnitudes, distances, "
                       "V_S30, factors");
   o->missing.add_to(*command);
   command->add_flag("--trim", o->trim, "end the components of a record with its shortest");

@@ -17,6 +17,7 @@
 #include "import/component_name.hpp"
 #include "import/search_report.hpp"
 #include "records/formats/reading.hpp"
+#include "records/packed_files.hpp"
 
 namespace glissade {
 namespace {
@@ -92,16 +93,17 @@ std::string direction_of(const FileComponent& component, const fs::path& file) {
   return stated.empty() ? component.name : stated;
 }
 
-FoundComponent found_component(const fs::path& file, const RecordFormat& format,
+FoundComponent found_component(const FileToRead& file, const RecordFormat& format,
                                const FileComponent& component, const std::string& address) {
   const Record& record = component.record;
   FoundComponent found;
-  found.file = file;
+  found.file = file.file;
+  found.member = file.member;
   found.address = address;
   found.name = plain_line(component.name);
   found.format = format.name;
   found.header = component.header;
-  found.header.direction = direction_of(component, file);
+  found.header.direction = direction_of(component, found.file_name());
   for (std::string* text :
        {&found.header.event, &found.header.station, &found.header.direction, &found.header.unit,
         &found.header.event_id, &found.header.magnitude_kind})
@@ -140,12 +142,14 @@ std::vector<fs::path> found_files(const std::vector<fs::path>& inputs,
   return {files.begin(), files.end()};
 }
 
-std::vector<FoundComponent> read_components(const fs::path& file,
+std::vector<FoundComponent> read_components(const FileToRead& file,
                                             const RecordFileOptions& missing) {
-  const RecordText text = load_record(file);
+  if (is_archive(file.bytes))
+    refuse_record(file.shown(), "is an archive in an archive", "unpack it");
+  const RecordText text = record_text(file.shown(), file.bytes);
   const RecordFormat& format = format_of(text);
   if (!format.is_binary && is_search_report(text.text))
-    refuse_record(file.string(), "is a report of a search", "give it with --report");
+    refuse_record(file.shown(), "is a report of a search", "give it with --report " + file.shown());
   RecordFileOptions options = missing;
   options.dt_s = std::nullopt;
   std::optional<double> stated_dt_s;
@@ -161,7 +165,7 @@ std::vector<FoundComponent> read_components(const fs::path& file,
   };
   std::vector<FileComponent> components = read();
   if (components.size() > most_components)
-    refuse_record(file.string(), fmt::format("has {} components", components.size()),
+    refuse_record(file.shown(), fmt::format("has {} components", components.size()),
                   "name those of the record in a suite file: file#name");
   std::vector<FoundComponent> found;
   for (std::size_t i = 0; i < components.size(); ++i) {
@@ -170,10 +174,11 @@ std::vector<FoundComponent> read_components(const fs::path& file,
       components[i] = read()[i];
     }
     check_readable(components[i].record);
-    found.push_back(found_component(file, format, components[i], address_of(file, components, i)));
+    found.push_back(
+        found_component(file, format, components[i], address_of(text.path, components, i)));
     found.back().stated_dt_s = stated_dt_s;
   }
-  const std::string sha256 = sha256_of_file(file);
+  const std::string sha256 = sha256_of(file.bytes);
   for (FoundComponent& component : found) component.sha256 = sha256;
   return found;
 }

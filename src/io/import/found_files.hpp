@@ -13,8 +13,17 @@ namespace glissade {
 std::vector<std::filesystem::path> found_files(const std::vector<std::filesystem::path>& inputs,
                                                std::vector<LeftOut>& left_out);
 
+/// A file, or one in an archive, and its bytes.
+struct FileToRead {
+  std::filesystem::path file;
+  std::string member;  ///< empty: no archive
+  const std::string& bytes;
+
+  std::string shown() const { return file.string() + (member.empty() ? "" : "#" + member); }
+};
+
 /// All components of a file. Throws InputError where it cannot be read.
-std::vector<FoundComponent> read_components(const std::filesystem::path& file,
+std::vector<FoundComponent> read_components(const FileToRead& file,
                                             const RecordFileOptions& missing);
 
 }  // namespace glissade

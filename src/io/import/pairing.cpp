@@ -45,7 +45,7 @@ class ReportIndex {
     }
   }
   void look_up(ComponentPiece& piece) const {
-    const std::string file = piece.found->file.filename().string();
+    const std::string file = piece.found->file_name();
     const RecordHeader& header = piece.found->header;
     if (const auto named = by_file_.find(lower_case(file)); named != by_file_.end()) {
       piece.row = named->second;
@@ -93,23 +93,23 @@ ComponentPiece piece_of(std::size_t component, const FoundComponent& found,
                         const ReportIndex& report) {
   ComponentPiece piece{component, &found, {}, {}, nullptr, {}, "", ""};
   const bool is_one_of_several = !found.address.empty();
-  const std::string stem = stem_of(found.file);
+  const std::string stem = stem_of(found.file_name());
   piece.name = is_one_of_several ? SplitName{stem, ""} : split_direction(stem);
   report.look_up(piece);
   piece.direction = direction_of(piece);
   if (is_other(component_direction(piece.name.direction), piece.direction))
     piece.name = {stem, ""};  // "CHB0021412312349.EW" is a time
-  const std::string folder = found.file.parent_path().string();
-  piece.narrow_key =
-      folder + "|" + (is_one_of_several ? found.file.filename().string() : piece.name.rest);
+  const std::string folder = found.member.empty()
+                                 ? found.file.parent_path().string()
+                                 : (found.file / found.member).parent_path().string();
+  piece.narrow_key = folder + "|" + (is_one_of_several ? found.file_name() : piece.name.rest);
   const RecordHeader& header = found.header;
   if (piece.row != nullptr)
     piece.key =
         fmt::format("row|{}|{}|{}", piece.row->rsn, piece.row->event_id, piece.row->station);
   else if (!header.event.empty() && !header.station.empty())
-    piece.key =
-        fmt::format("header|{}|{}|{}", record_sequence_number(found.file.filename().string()),
-                    lower_case(header.event), lower_case(header.station));
+    piece.key = fmt::format("header|{}|{}|{}", record_sequence_number(found.file_name()),
+                            lower_case(header.event), lower_case(header.station));
   else
     piece.key = fmt::format("name|{}|{}", piece.narrow_key, lower_case(header.station));
   return piece;
@@ -291,9 +291,10 @@ ImportedRecord record_of(const Pieces& pieces, const ImportOptions& options,
 Pieces different_pieces(SuiteImport& found, const ReportIndex& report) {
   Pieces pieces;
   std::map<std::uint64_t, std::size_t> by_samples;
+  const auto source = [](const FoundComponent& c) { return std::pair(c.file, c.member); };
   for (std::size_t i = 0; i < found.components.size(); ++i) {
     const FoundComponent& component = found.components[i];
-    const std::string what = component.file.string() + component.address;
+    const std::string what = component.file.string() + component.whole_address();
     if (component.is_dead) {
       found.left_out.push_back({what, component.faults.empty() ? "all its samples have one value"
                                                                : component.faults.front()});
@@ -306,11 +307,11 @@ Pieces different_pieces(SuiteImport& found, const ReportIndex& report) {
     }
     const FoundComponent& first = found.components[same->second];
     found.left_out.push_back(
-        {what,
-         fmt::format(
-             "a duplicate: the same {} as {}",
-             first.sha256 == component.sha256 && first.file != component.file ? "bytes" : "samples",
-             first.file.string() + first.address)});
+        {what, fmt::format("a duplicate: the same {} as {}",
+                           first.sha256 == component.sha256 && source(first) != source(component)
+                               ? "bytes"
+                               : "samples",
+                           first.file.string() + first.whole_address())});
   }
   return pieces;
 }

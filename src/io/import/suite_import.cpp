@@ -3,13 +3,17 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <iterator>
+
 #include "glissade/core/error.hpp"
 #include "glissade/core/file.hpp"
 #include "glissade/core/printable.hpp"
+#include "import/component_name.hpp"
 #include "import/found_files.hpp"
 #include "import/pairing.hpp"
+#include "records/packed_files.hpp"
 #include "records/record_entry.hpp"
-#include "import/component_name.hpp"
 #include "text/scan.hpp"
 #include "toml/toml_text.hpp"
 
@@ -24,20 +28,59 @@ std::string reason_of(const InputError& error) {
   return problem.what + (problem.suggestion.empty() ? "" : "; " + problem.suggestion);
 }
 
+/// A report, of an archive one in it.
 std::optional<SearchReport> report_of(const ImportOptions& options) {
   if (!options.report) return std::nullopt;
-  return read_search_report(*options.report);
+  const ComponentAddress address = split_address(options.report->string());
+  RecordStore store;
+  const RecordStore::Found found = store.find(address.file, address.component);
+  return read_search_report({found.path, *found.bytes});
 }
 
 bool is_same_file(const fs::path& one, const std::optional<fs::path>& other) {
   std::error_code ignored;
-  return other && fs::equivalent(one, *other, ignored);
+  return other && (one == *other || fs::equivalent(one, *other, ignored));
 }
+
+/// The components of one file, or the reason why it has none.
+class ComponentReader {
+ public:
+  ComponentReader(const ImportOptions& options, SuiteImport& found)
+      : options_(options), found_(found) {}
+
+  void add_all(const fs::path& file) {
+    try {
+      const std::string bytes = read_text_file(file);
+      if (!is_archive(bytes)) return add({file, "", bytes});
+      UnpackedArchive archive = unpacked(file, bytes);
+      std::ranges::move(archive.left_out, std::back_inserter(found_.left_out));
+      for (const PackedFile& member : archive.files) add({file, member.name, member.bytes});
+    } catch (const InputError& error) {
+      found_.left_out.push_back({file.string(), reason_of(error)});
+    }
+  }
+
+ private:
+  void add(const FileToRead& file) {
+    if (is_same_file(file.shown(), options_.report)) return;
+    try {
+      for (FoundComponent& component : read_components(file, options_.missing))
+        found_.components.push_back(std::move(component));
+    } catch (const InputError& error) {
+      found_.left_out.push_back({file.shown(), reason_of(error)});
+    }
+  }
+
+  const ImportOptions& options_;
+  SuiteImport& found_;
+};
 
 ComponentEntry entry_of(const FoundComponent& component, const fs::path& folder) {
   ComponentEntry entry;
-  entry.file = relative_path(component.file, folder) + component.address;
+  entry.file = relative_path(component.file, folder) + component.whole_address();
   entry.options.dt_s = component.stated_dt_s;
+  if (const auto direction = component_direction(component.header.direction))
+    entry.azimuth_deg = direction->azimuth_deg;
   entry.sha256 = component.sha256;
   return entry;
 }
@@ -57,19 +100,14 @@ bool is_suite_file(const fs::path& path) {
 SuiteImport import_suite(const ImportOptions& options) {
   const std::optional<SearchReport> report = report_of(options);
   SuiteImport found;
+  ComponentReader reader(options, found);
   for (const fs::path& file : found_files(options.inputs, found.left_out)) {
-    if (is_same_file(file, options.report)) continue;
     if (printable_name(file.string()) != file.string()) {
       found.left_out.push_back(
           {file.string(), "its name has control characters or is no UTF-8: rename it"});
       continue;
     }
-    try {
-      for (FoundComponent& component : read_components(file, options.missing))
-        found.components.push_back(std::move(component));
-    } catch (const InputError& error) {
-      found.left_out.push_back({file.string(), reason_of(error)});
-    }
+    reader.add_all(file);
   }
   if (report) found.warnings = report->warnings;
   pair_components(found, report ? &*report : nullptr, options);
@@ -79,8 +117,6 @@ SuiteImport import_suite(const ImportOptions& options) {
 std::string imported_suite_toml(const SuiteImport& found, const ImportedSuiteHead& head,
                                 const fs::path& folder) {
   std::string text;
-  if (const auto direction = component_direction(component.header.direction))
-    entry.azimuth_deg = direction->azimuth_deg;
   for (const std::string& comment : head.comments) text += "# " + printable_name(comment) + "\n";
   text += fmt::format("\n[suite]\nname = {}\n", quoted(head.name));
   if (head.units) text += fmt::format("units = {}\n", quoted(to_string(*head.units)));

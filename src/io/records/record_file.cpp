@@ -4,21 +4,26 @@
 #include <fmt/format.h>
 
 #include "glissade/core/error.hpp"
-#include "glissade/core/file.hpp"
 #include "glissade/core/units.hpp"
 #include "glissade/motion/improbable.hpp"
 #include "glissade/motion/intensity.hpp"
 #include "records/formats/reading.hpp"
+#include "records/packed_files.hpp"
 #include "records/time_column.hpp"
 #include "text/scan.hpp"
 
 namespace glissade {
+
 ComponentAddress split_address(const std::string& name) {
-  const std::size_t mark = name.rfind('#');
   std::error_code ignored;
-  if (mark == std::string::npos || mark == 0 || std::filesystem::exists(name, ignored))
-    return {name, ""};
-  return {name.substr(0, mark), name.substr(mark + 1)};
+  if (std::filesystem::exists(name, ignored)) return {name, ""};
+  for (std::size_t mark = name.find('#', 1); mark != std::string::npos;
+       mark = name.find('#', mark + 1)) {
+    const std::string file = name.substr(0, mark);
+    if (std::filesystem::exists(file, ignored) || name.find('#', mark + 1) == std::string::npos)
+      return {file, name.substr(mark + 1)};
+  }
+  return {name, ""};
 }
 
 void check_readable(const Record& record) {
@@ -34,8 +39,15 @@ void check_readable(const Record& record) {
 }
 
 Record read_record(const std::filesystem::path& file, const RecordFileOptions& options) {
+  RecordStore store;
+  return read_record(store.find(file, options.component), options);
+}
+
+Record read_record(const RecordStore::Found& found, RecordFileOptions options) {
+  const std::filesystem::path& file = found.path;
   if (options.dt_s) check_step(file.string(), shortest_decimal(*options.dt_s), *options.dt_s);
-  const RecordText text = load_record(file);
+  options.component = found.component;
+  const RecordText text = record_text(file, *found.bytes);
   std::vector<FileComponent> components = format_of(text).read(text, options);
   Record record =
       std::move(components[picked_component(file, components, options.component)].record);

@@ -94,10 +94,11 @@ std::optional<fs::path> RecordFinder::find(const fs::path& name) {
 
 std::optional<RecordFinder::Found> RecordFinder::find_component(const std::string& name) {
   if (auto path = find(name)) return Found{std::move(*path), ""};
-  const auto [file, component] = split_address(name);
-  if (component.empty()) return std::nullopt;
-  auto path = find(file);
-  return path ? std::optional(Found{std::move(*path), component}) : std::nullopt;
+  for (std::size_t mark = name.find('#', 1); mark != std::string::npos;
+       mark = name.find('#', mark + 1))
+    if (auto path = find(name.substr(0, mark)))
+      return Found{std::move(*path), name.substr(mark + 1)};
+  return std::nullopt;
 }
 
 }  // namespace glissade

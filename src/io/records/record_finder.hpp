@@ -18,7 +18,8 @@ class RecordFinder {
   /// Nothing if it is not there. Throws InputError, naming two, where the name fits several files
   /// and the relative path none or several of them.
   std::optional<std::filesystem::path> find(const std::filesystem::path& name);
-  /// The same of a name with a component behind it, floor.csv#U1, unless that is a file itself.
+  /// The same of a name with a component behind it, floor.csv#U1 or all.zip#floor.csv#U1, unless
+  /// that is a file itself.
   struct Found {
     std::filesystem::path path;
     std::string component;

@@ -14,6 +14,7 @@
 #include "glissade/io/sha256.hpp"
 #include "glissade/motion/record_edit.hpp"
 #include "glissade/motion/sample_faults.hpp"
+#include "records/packed_files.hpp"
 #include "records/record_entry.hpp"
 #include "records/record_finder.hpp"
 #include "study/target_table.hpp"
@@ -52,7 +53,6 @@ Record edited(Record component, double start_s, const RecordEntry& entry) {
   return component;
 }
 
-/// Of the sources of its components, and of their samples.
 /// Azimuths that the suite states, else those of the files; a difference between them is found.
 MotionDirections directions_of(const RecordEntry& entry,
                                const std::array<const TimedRecord*, 2>& horizontals,
@@ -72,6 +72,7 @@ MotionDirections directions_of(const RecordEntry& entry,
   return directions;
 }
 
+/// Of the sources of its components, and of their samples.
 std::vector<std::string> contradictions(const TimedRecord& first,
                                         const std::optional<TimedRecord>& second,
                                         const std::optional<TimedRecord>& vertical) {
@@ -173,37 +174,48 @@ class RecordedSuiteReader {
     }
   }
 
-  /// The record in a file; nothing where it cannot be read, which is reported once.
-  const std::optional<Record>& read_once(const std::filesystem::path& path,
-                                         const ComponentEntry& entry, const TomlTable& record,
-                                         const char* key) {
+  struct ReadFile {
+    std::optional<Record> record;  ///< nothing where it cannot be read, which is reported once
+    std::string sha256;
+  };
+
+  /// The record in a file, which is read once.
+  const ReadFile& read_once(const std::filesystem::path& path, const ComponentEntry& entry,
+                            const TomlTable& record, const char* key) {
     std::error_code unknown;
     const std::filesystem::path real = std::filesystem::weakly_canonical(path, unknown);
     const auto [found, is_new] =
         read_.try_emplace({unknown ? path : real, entry.options.component, entry.options.dt_s,
                            entry.options.units, entry.options.counts_per_unit});
-    if (!is_new) return found->second;
-    const std::uintmax_t characters = std::filesystem::file_size(path, unknown);
-    // No sample takes less than a digit and what separates it from the next.
-    check_room(std::min<std::uintmax_t>(characters / 2, most_samples),
-               record.text("id").value_or(""));
+    ReadFile& read = found->second;
+    const bool is_to_be_hashed = !entry.sha256.empty() && read.sha256.empty();
+    if (!is_new && !is_to_be_hashed) return read;
+    std::optional<RecordStore::Found> bytes;
     try {
-      found->second = read_record(path, entry.options);
+      bytes = store_.find(path, entry.options.component);
+    } catch (const InputError& error) {
+      record.report(key, error);
+      return read;
+    }
+    if (is_to_be_hashed) read.sha256 = sha256_of(*bytes->bytes);
+    if (!is_new) return read;
+    // No sample takes less than a digit and what separates it from the next.
+    check_room(std::min(bytes->bytes->size() / 2, most_samples), record.text("id").value_or(""));
+    try {
+      read.record = read_record(*bytes, entry.options);
     } catch (const InputError& error) {
       record.report(key, error);
     }
-    return found->second;
+    return read;
   }
 
   /// Reports a file whose bytes are not those that the suite was made with.
-  void check_sha256(const std::filesystem::path& path, const ComponentEntry& entry,
-                    const TomlTable& record, const char* key) const {
-    if (entry.sha256.empty()) return;
-    const std::string found = sha256_of_file(path);
-    if (found == entry.sha256) return;
+  static void check_sha256(const ReadFile& read, const ComponentEntry& entry,
+                           const TomlTable& record, const char* key) {
+    if (entry.sha256.empty() || read.sha256.empty() || read.sha256 == entry.sha256) return;
     record.report(key,
                   fmt::format("{} is not the file that the suite was made with: its SHA-256 is {}",
-                              path.string(), found),
+                              entry.file, read.sha256),
                   "get that file again; or, where the new one is meant, import it or state its "
                   "sha256");
   }
@@ -213,23 +225,19 @@ class RecordedSuiteReader {
     const std::size_t problems_before = record.problem_count();
     auto entry = read_component_entry(record, key);
     if (!entry || record.problem_count() > problems_before) return std::nullopt;
-    entry->options.units_if_not_stated = units_;
-    const auto found = find(record, key, entry->file);
-    if (!found) return std::nullopt;
-    entry->options.component = found->component;
-    try {
-      check_sha256(found->path, *entry, record, key);
-    } catch (const InputError& error) {
-      record.report(key, error);
-    }
-    const std::optional<Record>& read = read_once(found->path, *entry, record, key);
-    if (!read || record.problem_count() > problems_before) return std::nullopt;
-    try {
     of_record.components[key] = *entry;
     if (entry->azimuth_deg && key == std::string_view("vertical"))
       record.report(key, "azimuth_deg is of a horizontal component, and this is the vertical",
                     "leave it out");
-      return TimedRecord{edited(*read, entry->start_s, of_record), entry->start_s};
+    entry->options.units_if_not_stated = units_;
+    const auto found = find(record, key, entry->file);
+    if (!found) return std::nullopt;
+    entry->options.component = found->component;
+    const ReadFile& read = read_once(found->path, *entry, record, key);
+    check_sha256(read, *entry, record, key);
+    if (!read.record || record.problem_count() > problems_before) return std::nullopt;
+    try {
+      return TimedRecord{edited(*read.record, entry->start_s, of_record), entry->start_s};
     } catch (const InputError& error) {
       record.report(key, error);
       return std::nullopt;
@@ -239,15 +247,16 @@ class RecordedSuiteReader {
   std::filesystem::path suite_file_;
   RecordFinder finder_;
   std::optional<AccelerationUnits> units_;
+  MotionProcessing processing_;  ///< of records that do not state theirs
   std::vector<std::string> missing_;
   using Source = std::tuple<std::filesystem::path, std::string, std::optional<double>,
                             std::optional<AccelerationUnits>, std::optional<double>>;
-  std::map<Source, std::optional<Record>> read_;
+  RecordStore store_;
+  std::map<Source, ReadFile> read_;
   std::size_t samples_ = 0;  ///< of the motions so far
 };
 
 Suite read_recorded_suite(const std::filesystem::path& file, TomlDocument& document) {
-  MotionProcessing processing_;  ///< of records that do not state theirs
   const TomlTable root = document.root();
   const TomlTable head = root.required_table("suite");
   Suite suite;
@@ -398,10 +407,20 @@ std::vector<RecordFile> record_files(const std::filesystem::path& suite_file) {
     for (const char* key : {"first", "second", "vertical"}) {
       const auto entry = read_component_entry(record, key);
       const auto found = entry ? finder.find_component(entry->file) : std::nullopt;
-      if (found) files.push_back({record.text("id").value_or(""), key, entry->file, found->path});
+      if (found)
+        files.push_back(
+            {record.text("id").value_or(""), key, entry->file, found->path, found->component});
     }
   }
   return files;
+}
+
+std::vector<std::string> sha256_of(const std::vector<RecordFile>& files) {
+  RecordStore store;
+  std::vector<std::string> all;
+  for (const RecordFile& file : files)
+    all.push_back(sha256_of(*store.find(file.path, file.inside).bytes));
+  return all;
 }
 
 SyntheticRecipe read_recipe(const std::filesystem::path& file) {

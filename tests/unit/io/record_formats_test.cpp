@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
 #include <gmock/gmock.h>
+#include <zlib.h>
 
 #include "glissade/core/file.hpp"
 #include "glissade/core/units.hpp"
@@ -62,13 +63,13 @@ const std::vector<Sample> samples = {
     {"usc_corrected.dat", "N08W"},
     {"cdmg_pairs.raw", "90 DEG"},
     {"cdmg_pairs.raw", "up", 0.5},
-    {"bhrc.v1", "L1"},
     {"renadic.v1", "L"},
     {"renadic.v1", "T", -1},
     {"renadic.v1", "V", 0.5},
     {"asa.txt", "N00E"},
     {"asa.txt", "N90W;", -1},
     {"asa.txt", "+V", 0.5},
+    {"bhrc.v1", "L1"},
     {"bhrc.v1", "V1", 0.5},
     {"geonet.v1a", "N10E"},
     {"geonet.v1a", "Up", 0.5},
@@ -124,6 +125,51 @@ TEST(record_formats, miniseed_is_read_with_a_stated_gain) {
   expect_made_up({"miniseed.mseed", "HNE"}, read_sample({"miniseed.mseed", "HNE", 1, in_counts}));
 }
 
+bool has_archives() {
+  return message_of([] { read_record(corpus / "packed_knet.gz"); }).find("libarchive") ==
+         std::string::npos;
+}
+
+TEST(record_formats, files_in_an_archive_are_addressed_by_their_path_in_it) {
+  if (!has_archives()) GTEST_SKIP() << "built without libarchive";
+  for (const Sample& sample : {Sample{"packed.zip", "records/etabs.csv#Accel"},
+                               Sample{"packed.tar.gz", "records/etabs.csv#Accel"},
+                               Sample{"packed.tar.gz", "sap.txt#U3", 0.5},
+                               Sample{"packed_knet.gz", ""}, Sample{"packed_knet.gz", "E-W"}})
+    expect_made_up(sample, read_sample(sample));
+  EXPECT_THAT(message_of([] {
+                read_sample({"packed.zip", "etabs.csv"});
+              }),
+              test::states("holds no file etabs.csv", "packed.zip#FILE"));
+  EXPECT_THAT(message_of([] {
+                read_sample({"packed.zip", "sap.txt#U9"});
+              }),
+              test::states("packed.zip#sap.txt", "'U9'", "U3"));
+}
+
+TEST(record_formats, members_that_lead_elsewhere_and_damaged_or_endless_archives_are_refused) {
+  if (!has_archives()) GTEST_SKIP() << "built without libarchive";
+  const auto message = [](const std::string& member) {
+    return message_of([&] { read_sample({"improper.zip", member.c_str()}); });
+  };
+  for (const char* member : {"../out.csv", "/abs.csv", "link"})
+    EXPECT_THAT(message(member), HasSubstr("holds no file")) << member;
+  EXPECT_THAT(message("inner.zip"), HasSubstr("archive in an archive"));
+  expect_made_up({"etabs.csv", "Accel"}, read_sample({"improper.zip", "good.csv#Accel"}));
+  const TemporaryFolder folder;
+  for (const char* name : {"packed.zip", "packed.tar.gz"}) {
+    const std::string whole = read_text_file(corpus / name);
+    const fs::path cut = folder.write("cut", whole.substr(0, whole.size() / 2));
+    EXPECT_THAT(message_of([&] { read_record(cut); }), HasSubstr("cannot be unpacked")) << name;
+  }
+  const fs::path endless = folder.path() / "endless.gz";
+  const gzFile out = gzopen(endless.c_str(), "wb1");
+  const std::string zeros(std::size_t{1} << 20, '0');
+  for (int i = 0; i < 257; ++i) gzwrite(out, zeros.data(), static_cast<unsigned int>(zeros.size()));
+  gzclose(out);
+  EXPECT_THAT(message_of([&] { read_record(endless); }), HasSubstr("more than 256 MiB"));
+}
+
 TEST(record_formats, what_is_missing_or_other_is_named) {
   const auto read = [](const std::string& name) { read_record(corpus / name); };
   expect_refusals(
@@ -165,6 +211,12 @@ TEST(record_formats, what_reading_changes_is_in_the_notes) {
   EXPECT_THAT(read_sample({"esm.asc", ""}).notes, IsEmpty());
   EXPECT_THAT(read_sample({"count_and_step.txt", "", 1, in_mps2}).notes,
               ElementsAre(HasSubstr("count")));
+  const TemporaryFolder folder;
+  const fs::path longer =
+      folder.write("asa", read_text_file(corpus / "asa.txt") + "  9.0  9.0  9.0\n");
+  const Record cut = read_record(longer, {.dt_s = {}, .units = {}, .component = "N00E"});
+  EXPECT_EQ(cut.acceleration_mps2.size(), 8u);
+  EXPECT_THAT(cut.notes, ElementsAre(test::states("9 values", "states 8")));
   const Record rounded = read_sample({"step_rounded.txt", "", 1, in_mps2});
   EXPECT_EQ(rounded.dt_s, 1.0 / 256);
   EXPECT_THAT(rounded.notes, ElementsAre(test::states("0.00390625", "0.0039")));
@@ -198,6 +250,7 @@ TEST(record_formats, an_address_is_a_file_and_a_component_unless_it_is_a_file) {
   EXPECT_EQ(split_address(file + "#acc").file, file);
   EXPECT_EQ(split_address("floor.csv#U1").file, "floor.csv");
   EXPECT_EQ(split_address("floor.csv").component, "");
+  EXPECT_EQ(split_address(file + "#x.csv#U1").component, "x.csv#U1");
 }
 
 // Files are untrusted: whatever they were cut to, they are read or refused.

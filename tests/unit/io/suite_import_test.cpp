@@ -53,6 +53,25 @@ std::string column(double seed, std::size_t count = 200, double dt_s = 0.01) {
   return fmt::format("# units: g\n# DT = {}\n", dt_s) + lines_of_samples(motion_g(seed, count));
 }
 
+/// A tar archive (POSIX 1003.1, ustar) of files.
+std::string tar_of(const std::vector<std::pair<std::string, std::string>>& files) {
+  constexpr std::size_t block = 512, sum_at = 148, sum_length = 8;
+  std::string tar;
+  for (const auto& [name, content] : files) {
+    std::string head(block, '\0');
+    head.replace(0, name.size(), name);
+    head.replace(124, 11, fmt::format("{:011o}", content.size()));
+    head.replace(156, 1, "0");
+    head.replace(257, 8, std::string("ustar\0", 6) + "00");
+    head.replace(sum_at, sum_length, std::string(sum_length, ' '));
+    unsigned int sum = 0;
+    for (const char c : head) sum += static_cast<unsigned char>(c);
+    head.replace(sum_at, 7, fmt::format("{:06o}", sum) + '\0');
+    tar += head + content + std::string((block - content.size() % block) % block, '\0');
+  }
+  return tar + std::string(2 * block, '\0');
+}
+
 class SuiteImporter : public testing::Test {
  protected:
   SuiteImport import(ImportOptions options = {}) const {
@@ -356,6 +375,46 @@ TEST_F(SuiteImporter, a_suite_is_read_where_it_was_moved_to_and_knows_its_files)
   EXPECT_THAT(problems[0].what,
               test::states("RSN7_SOME_PLC090.AT2", "is not the file", sha256_of_file(changed)));
   EXPECT_THAT(problems[0].suggestion, HasSubstr("sha256"));
+}
+
+TEST_F(SuiteImporter, records_in_an_archive_are_imported_and_read_without_being_unpacked) {
+  const std::vector<std::pair<std::string, std::string>> files = {
+      {"RSN7_SOME_PLC000.AT2", at2("Somewhere, 1/2/1999, Place, 0", 1)},
+      {"up/RSN7_SOME_PLC-UP.AT2", at2("Somewhere, 1/2/1999, Place, UP", 3)},
+      {"RSN7_SOME_PLC090.AT2", at2("Somewhere, 1/2/1999, Place, 90", 2)},
+      {"report.csv",
+       "Record Sequence Number,Earthquake Name,Year,Station Name,Magnitude,Rrup (km),Horizontal-1 "
+       "Acc. Filename,Horizontal-2 Acc. Filename,Vertical Acc. Filename\n"
+       "7,Somewhere,1999,Place,6.5,12,RSN7_SOME_PLC000.AT2,RSN7_SOME_PLC090.AT2,"
+       "RSN7_SOME_PLC-UP.AT2\n"},
+      {"nested.tar", tar_of({{"a", "b"}})}};
+  write("all.tar", tar_of(files));
+  ImportOptions options;
+  SuiteImport found = import(options);
+  if (reasons(found).find("libarchive") != std::string::npos) GTEST_SKIP() << reasons(found);
+  EXPECT_THAT(reasons(found), test::states("all.tar#report.csv: is a report of a search; give it "
+                                           "with --report",
+                                           "all.tar#nested.tar: is an archive in an archive"));
+  options.report = folder_.path() / "records/all.tar#report.csv";
+  found = import(options);
+  ASSERT_EQ(found.records.size(), 1u) << reasons(found);
+  EXPECT_EQ(found.records[0].magnitude, 6.5);
+  EXPECT_EQ(files_of(found, found.records[0]),
+            "RSN7_SOME_PLC000.AT2, RSN7_SOME_PLC090.AT2, RSN7_SOME_PLC-UP.AT2");
+  const std::string suite = imported_suite_toml(found, {"s", {}, {}}, folder_.path());
+  EXPECT_THAT(suite, HasSubstr("records/all.tar#up/RSN7_SOME_PLC-UP.AT2"));
+  const Suite loaded = load(found);
+  EXPECT_EQ(loaded.motions[0].vertical_mps2.size(), 200u);
+  const auto entries = fs::directory_iterator(folder_.path() / "records");
+  EXPECT_EQ(std::distance(begin(entries), end(entries)), 1);
+  const auto listed = record_files(folder_.path() / "suite.toml");
+  EXPECT_EQ(sha256_of(listed).at(1), sha256_of(std::string_view(files[2].second)));
+
+  auto changed = files;
+  changed[2].second = at2("Somewhere, 1/2/1999, Place, 90", 2.5);
+  write("all.tar", tar_of(changed));
+  EXPECT_THAT(message_of([&] { load(found); }),
+              test::states("RSN7_SOME_PLC090.AT2", "is not the file"));
 }
 
 TEST_F(SuiteImporter, texts_of_headers_and_names_stay_texts) {

@@ -44,7 +44,7 @@ extern const RecordFormat sac_format, miniseed_format, foreign_format, nied_form
 std::span<const RecordFormat* const> record_formats();
 
 /// As a spreadsheet or DOS leaves it: UTF-16, lines that end with \r alone, an end-of-file mark.
-RecordText load_record(const std::filesystem::path& file);
+RecordText record_text(const std::filesystem::path& file, std::string bytes);
 /// Throws InputError where the file is no text, and of no binary format.
 const RecordFormat& format_of(const RecordText& record);
 

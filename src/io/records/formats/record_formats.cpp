@@ -3,7 +3,6 @@
 
 #include <algorithm>
 
-#include "glissade/core/file.hpp"
 #include "records/formats/reading.hpp"
 #include "text/encoding.hpp"
 
@@ -39,8 +38,8 @@ std::string listed_components(const std::vector<FileComponent>& components) {
 
 std::span<const RecordFormat* const> record_formats() { return formats_in_order; }
 
-RecordText load_record(const std::filesystem::path& file) {
-  RecordText record{file, read_text_file(file)};
+RecordText record_text(const std::filesystem::path& file, std::string bytes) {
+  RecordText record{file, std::move(bytes)};
   if (is_utf16(record.text)) record.text = from_utf16(record.text);
   if (record.text.ends_with('\x1a')) record.text.pop_back();
   const bool is_text = record.text.find('\0') == std::string::npos;
