@@ -13,6 +13,14 @@ inline EnumNames<UnitSystem> unit_names() {
                                                   {"us", UnitSystem::us_customary}};
   return names;
 }
+/// Those that scale a suite as a whole.
+inline EnumNames<ScalingRule> scaling_rule_names() {
+  static constexpr EnumNames<ScalingRule> names = {{"walters_2012", ScalingRule::walters_2012},
+                                                   {"asce7_10", ScalingRule::asce7_10},
+                                                   {"asce7_16", ScalingRule::asce7_16},
+                                                   {"asce7_22", ScalingRule::asce7_22}};
+  return names;
+}
 inline EnumNames<ArraySupport> support_names() {
   static constexpr EnumNames<ArraySupport> names = {{"isolated", ArraySupport::isolated},
                                                     {"anchored", ArraySupport::anchored},

@@ -35,8 +35,7 @@ double geometric_mean_sa_mps2(const Motion& motion, double period_s) {
 const std::array rows = {
     MeasureRow{"sds_g", "g", "target",
                "design spectral acceleration S_DS: each suite is scaled as a whole until its "
-               "average SRSS spectrum (5 %) is the design spectrum or more at the periods of the "
-               "scaling rule, 0 to 2 s",
+               "average spectrum (5 %) meets the design spectrum by intensity.scaling_rule",
                of_suite, [](const IntensityConfig&) -> std::string { return "S_DS"; }, nullptr},
     MeasureRow{"ppa_g", "g", nullptr,
                "peak roof acceleration along the slope's plan direction (depends on the building)",
@@ -90,23 +89,32 @@ const std::array rows = {
 
 const MeasureRow& row_of(std::size_t row) { return rows.at(row); }
 
-/// Walters's rule and what is beyond it, on the suite as its file scales its records.
+/// Walters's rule and what is beyond it, on the suite as its file scales its
+/// records.
+double walters_factor(const IntensityConfig& intensity, const Suite& suite,
+                      const SpectrumRows& rows_g, const std::function<double(double)>& target_g) {
+  double common = suite_average_factor(suite, target_g, rows_g);
+  if (intensity.scaled_to_s <= longest_scaled_period_s) return common;
+  std::vector<double> scales;
+  for (const Motion& motion : suite.motions) scales.push_back(motion.scale);
+  const SpectralRatio beyond = lowest_ratio_to_target(
+      suite, scales, target_g, periods_beyond_scaled_s(intensity.scaled_to_s));
+  return std::max(common, least_over_target_beyond / beyond.ratio);
+}
+
 std::vector<double> factors_at_unit_sds(const IntensityConfig& intensity, const Suite& suite,
-                                        const SpectrumRows& walters_spectra_g) {
+                                        const SpectraByRule& spectra) {
   const TargetSpectrum spectrum(intensity.target ? *intensity.target : *suite.target);
   const auto unit_design = [&](double period) {
     return spectrum.design_sa_g(period) / spectrum.sds_g();
   };
-  double common = suite_average_factor(suite, unit_design, walters_spectra_g);
-  if (intensity.scaled_to_s > longest_scaled_period_s) {
-    std::vector<double> scales;
-    for (const Motion& motion : suite.motions) scales.push_back(motion.scale);
-    const SpectralRatio beyond = lowest_ratio_to_target(
-        suite, scales, unit_design, periods_beyond_scaled_s(intensity.scaled_to_s));
-    common = std::max(common, least_over_target_beyond / beyond.ratio);
-  }
   std::vector<double> factors;
-  for (const Motion& motion : suite.motions) factors.push_back(common * motion.scale);
+  for (const Motion& motion : suite.motions) factors.push_back(motion.scale);
+  const double common =
+      intensity.scaling_rule == ScalingRule::walters_2012
+          ? walters_factor(intensity, suite, spectra.rows_g, unit_design)
+          : missing_factor(intensity.scaling_rule, ratios_by_rule(spectra, factors, unit_design));
+  for (double& factor : factors) factor *= common;
   return factors;
 }
 
@@ -142,10 +150,10 @@ std::string IntensityMeasure::symbol_in(const std::string& label) const {
   return named.ends_with(of_record) ? named.substr(0, named.size() - of_record.size()) : named;
 }
 
-std::vector<double> IntensityMeasure::factors_at_unit_level(
-    const IntensityConfig& intensity, const Suite& suite,
-    const SpectrumRows& walters_spectra_g) const {
-  if (*this == sds_g) return factors_at_unit_sds(intensity, suite, walters_spectra_g);
+std::vector<double> IntensityMeasure::factors_at_unit_level(const IntensityConfig& intensity,
+                                                            const Suite& suite,
+                                                            const SpectraByRule& spectra) const {
+  if (*this == sds_g) return factors_at_unit_sds(intensity, suite, spectra);
   std::vector<double> factors;
   for (const Motion& motion : suite.motions)
     factors.push_back(*this == ppa_g ? 0.0 : row_of(row_).factor(intensity, motion));

@@ -28,9 +28,9 @@ struct FirstPeriods {
   bool to_one_and_a_half = false;
 };
 
-/// What a report prints of a rule.
+/// What a report prints of a rule; `combination`: of the horizontals, "SRSS".
 struct ScalingRuleText {
-  const char *key, *name, *clause, *spectrum;
+  const char *key, *name, *clause, *spectrum, *combination;
 };
 const ScalingRuleText& text_of(ScalingRule rule);
 /// "walters_2012", "asce7_10" ...; InputError otherwise.
@@ -42,11 +42,35 @@ struct PeriodRange {
   double from_s = 0.0, to_s = 0.0;
 };
 PeriodRange period_range(ScalingRule rule, const FirstPeriods& building);
+/// At which it is compared: those of Walters, else 0.5 % apart.
+std::vector<double> periods_by_rule_s(ScalingRule rule, const FirstPeriods& building);
 
 /// The spectrum of one motion that the rule averages, unscaled, in g: SRSS of the horizontals, or
 /// RotD100.
 std::vector<double> spectrum_by_rule_g(const Motion& motion, ScalingRule rule,
                                        const std::vector<double>& periods_s);
+
+/// Spectra by a rule, of each motion, at its periods.
+struct SpectraByRule {
+  std::vector<double> periods_s;
+  SpectrumRows rows_g;
+};
+
+/// The average spectrum of a suite over its target, at the periods of a rule.
+struct RuleRatios {
+  SpectralRatio lowest, highest;
+  double mean = 0.0;  ///< over the logarithms of the periods
+};
+RuleRatios ratios_by_rule(const SpectraByRule& spectra, const std::vector<double>& factors,
+                          const std::function<double(double)>& target_sa_g);
+
+/// The factor by which the ratios must be multiplied to meet the rule (not
+/// single_period): the lowest to 1, of 16.2 to 0.9, and there the mean to 1. At
+/// most 1: it is met.
+double missing_factor(ScalingRule rule, const RuleRatios& ratios);
+
+/// What the rule asks of the number of motions and is not met; empty: nothing.
+std::vector<std::string> too_few_for(ScalingRule rule, std::size_t motions);
 
 /// A suite scaled by a rule.
 struct RuleScaling {

@@ -11,6 +11,7 @@
 #include "glissade/building/building_model.hpp"
 #include "glissade/core/units.hpp"
 #include "glissade/motion/design_spectrum.hpp"
+#include "glissade/motion/scaling_rule.hpp"
 #include "glissade/sampling/distribution.hpp"
 #include "glissade/sampling/point_set.hpp"
 #include "glissade/study/analyses.hpp"
@@ -24,7 +25,12 @@ struct IntensityConfig {
   std::vector<double> levels;  ///< > 0, strictly increasing
   std::optional<DesignTarget>
       target;  ///< sds_g: shape of the design spectrum; else the suite's own
-  /// sds_g: beyond 2 s, to here, 0.9 of the target is enough (ASCE 7-16, 16.2, recalled).
+  /// How a suite is scaled to its target (sds_g), or is to be scaled in its
+  /// file (mce_fraction).
+  ScalingRule scaling_rule = ScalingRule::walters_2012;
+  bool to_one_and_a_half = false;  ///< as in FirstPeriods
+  /// walters_2012, sds_g: beyond 2 s, to here, 0.9 of the target is enough, by
+  /// no clause of ASCE 7.
   double scaled_to_s = longest_scaled_period_s;
   double sa_period_s = 0.0;              ///< sa_g only, >= 0
   std::vector<double> avg_sa_periods_s;  ///< avg_sa_g only

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "glissade/motion/motion.hpp"
-#include "glissade/motion/suite_scaling.hpp"
+#include "glissade/motion/scaling_rule.hpp"
 
 namespace glissade {
 
@@ -36,12 +36,13 @@ class IntensityMeasure {
   std::string definition(const IntensityConfig& intensity) const;
   /// The symbol, from what intensity_label() makes.
   std::string symbol_in(const std::string& label) const;
-  /// One factor on each record at level 1; 0 where it depends on the roof. All of one suite.
-  /// @param walters_spectra_g of the suite's motions, of sds_g
+  /// One factor on each record at level 1; 0 where it depends on the roof. All
+  /// of one suite.
+  /// @param spectra of the suite's motions by the rule of `intensity`, of sds_g
   std::vector<double> factors_at_unit_level(const IntensityConfig& intensity, const Suite& suite,
-                                            const SpectrumRows& walters_spectra_g) const;
-  /// The factor on a record at a level over that at level 1: the level, or its root for measures
-  /// that go with a power of the motion.
+                                            const SpectraByRule& spectra) const;
+  /// The factor on a record at a level over that at level 1: the level, or its
+  /// root for measures that go with a power of the motion.
   double factor_of_level(double level) const;
 
   /// Scales the suite to a design spectrum: sds_g and mce_fraction.

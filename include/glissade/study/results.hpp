@@ -33,18 +33,25 @@ struct RecordSummary {
   /// As recorded, geometric means of the horizontals; NaN or empty where not known.
   double arias_mps = std::numeric_limits<double>::quiet_NaN();
   std::vector<double> sa_g, roof_velocity_mps;  ///< 5 % damped, at Results::record_periods_s
-  std::string processing;  ///< what its suite asked for and was done with it
+  std::string processing;                       ///< what its suite asked for and was done with it
 };
 
-/// 5 % spectra of the suite, scaled to `reference_level` (sds_g) or by the suite's own factors
-/// (else).
+/// 5 % spectra of the suite, of the horizontals together as the rule of its
+/// scaling takes them (SRSS, RotD100), scaled to `reference_level` (sds_g) or
+/// by the suite's own factors (else).
 struct SuiteSpectra {
   std::vector<double> periods_s;
-  std::vector<std::vector<double>> srss_g;  ///< [record][period]
-  std::vector<double> average_srss_g;       ///< [period]
-  std::vector<double> target_g;             ///< [period]; empty without a target
-  double reference_level = 0.0;             ///< 0: as scaled in the suite file
-  SpectralRatios to_target;                 ///< of the average, 0 to 2 s; NaN without a target
+  std::vector<std::vector<double>> records_g;  ///< [record][period]
+  std::vector<double> average_g;               ///< [period]
+  std::vector<double> target_g;                ///< [period]; empty without a target
+  double reference_level = 0.0;                ///< 0: as scaled in the suite file
+  /// Of the average, over the periods of the rule; NaN without a target.
+  SpectralRatios to_target;
+  ScalingRule rule = ScalingRule::walters_2012;
+  PeriodRange range{0.0, longest_scaled_period_s};               ///< of the rule
+  double mean_ratio = std::numeric_limits<double>::quiet_NaN();  ///< not of walters_2012
+
+  const char* combination() const { return text_of(rule).combination; }
 };
 
 /// The model in sentences, empty where there is nothing to report, and the earthquakes it is under.

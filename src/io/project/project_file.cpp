@@ -346,6 +346,14 @@ void read_suite(const TomlTable& suite, Project& project) {
                  "leave it out: the site gives the factor on ground motions");
 }
 
+void read_scaling_rule(const TomlTable& suite, Project& project) {
+  project.scaling_rule = suite.choice<ScalingRule>("scaling_rule", scaling_rule_names())
+                             .value_or(project.scaling_rule);
+  if (project.of_roof && suite.has("scaling_rule"))
+    suite.report("scaling_rule", "motions of a roof are not scaled to a design spectrum",
+                 "leave it out");
+}
+
 void read_rest(const TomlTable& root, Project& project) {
   project.array = read_array(root.table("array"));
   project.hazard = read_project_hazard(root.table("hazard"), project.file.parent_path());
@@ -438,6 +446,7 @@ Project read_project(const std::filesystem::path& file) {
   project.file = file;
   project.source_text = document.text();
   read_suite(root.table("suite"), project);
+  read_scaling_rule(root.table("suite"), project);
   require_keys(root, project.of_roof);
   project.title = read_title(root.table("project"), project);
   read_site(root.table("site"), project);

@@ -87,6 +87,9 @@ const std::vector<GrammarKey> keys = {
      "of [building]): suites/README.md"},
     {"suite", "factor", "1.0", alternative,
      "on motions of a roof, at the design earthquake (DBE); 1: as they are"},
+    {"suite", "scaling_rule", "\"asce7_16\"", alternative,
+     "how the suite is scaled: \"walters_2012\" (the default), or by the clause of an edition: "
+     "\"asce7_10\", \"asce7_16\", \"asce7_22\" (suites/README.md)"},
     {"sampling", "samples", "128", in_example, "samples of the probability study, a power of two"},
     {"clearance", "without_target", "true", alternative,
      "do not scale the suite to 0.9 times the target above 2 s: not for design"},

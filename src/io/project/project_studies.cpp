@@ -39,8 +39,10 @@ std::string hazard_of(const Project& project, const fs::path& folder) {
   return fmt::format("\n[hazard]\n{}\ndesign_life_years = {}\n", curve, hazard.design_life_years);
 }
 
-/// To 1.5 times the longest building period (ASCE 7-16, 16.2, recalled).
-std::string scaled_to(const Project& project) {
+/// The rule; that of Walters goes on to 1.5 times the longest building period.
+std::string scaled_by(const Project& project) {
+  if (project.scaling_rule != ScalingRule::walters_2012)
+    return fmt::format("scaling_rule = {}\n", quoted(text_of(project.scaling_rule).key));
   if (project.without_target) return "";
   const double to_s = 1.5 * periods_of(project).back();
   return to_s > longest_scaled_period_s ? fmt::format("scaled_to_s = {}\n", to_s) : "";
@@ -53,7 +55,7 @@ std::string head_of(const Project& project, const fs::path& folder, const std::s
       project.of_roof
           ? fmt::format("measure = \"factor\"\nlevels = [{}]\n", fmt::join(levels, ", "))
           : fmt::format("measure = \"sds_g\"\nlevels = [{}]\ntarget = {}\n{}",
-                        fmt::join(levels, ", "), target_of(project, folder), scaled_to(project));
+                        fmt::join(levels, ", "), target_of(project, folder), scaled_by(project));
   return fmt::format(
       "# Made by `glissade clearance` from {}.\n"
       "[study]\nname = {}\ndescription = {}\nseed = {}\nunits = \"{}\"\n\n"

@@ -67,13 +67,13 @@ void check_suites(const Results& results) {
     const SuiteSpectra& s = results.suites[i].spectra;
     const std::size_t periods = s.periods_s.size();
     expect_usable("period_s", s.periods_s);
-    expect_usable("average_srss_g", s.average_srss_g);
+    expect_usable("average_srss_g", s.average_g);
     expect_usable("target_g", s.target_g);
     const auto is_whole = [&](const std::vector<double>& x) { return x.size() == periods; };
     const auto records = std::ranges::count(results.records, i, &RecordSummary::suite);
-    expect_fit(s.srss_g.size() == static_cast<std::size_t>(records), "srss_g", "records");
-    expect_fit(periods > 0 && std::ranges::all_of(s.srss_g, is_whole) &&
-                   is_whole(s.average_srss_g) && (s.target_g.empty() || is_whole(s.target_g)),
+    expect_fit(s.records_g.size() == static_cast<std::size_t>(records), "srss_g", "records");
+    expect_fit(periods > 0 && std::ranges::all_of(s.records_g, is_whole) && is_whole(s.average_g) &&
+                   (s.target_g.empty() || is_whole(s.target_g)),
                "spectra", "periods");
     const bool by_sds = results.measure == IntensityMeasure::sds_g;
     expect_fit(!by_sds || !s.target_g.empty(), "target_g", "intensity measure");

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "results/schema.hpp"
 
+#include <fmt/format.h>
+
 #include "enum_names.hpp"
 #include "results/archive.hpp"
 
@@ -143,14 +145,41 @@ void exchange_records(const Archive& archive, Records& records, Periods& periods
       [](auto& record) -> auto& { return record.roof_velocity_mps; });
 }
 
+/// The rule of the scaling and what it asks for: not of Walters's, which most
+/// suites are scaled by.
+template <class Archive, class Spectra>
+void exchange_rule(const Archive& archive, Spectra& spectra) {
+  bool is_there = spectra.rule != ScalingRule::walters_2012;
+  if constexpr (Archive::reads) is_there = archive.has("scaling_rule");
+  if (!is_there) return;
+  std::vector<std::string> rule{text_of(spectra.rule).key};
+  list(archive, "scaling_rule", {"-", "the rule by which the suite is scaled"}, rule);
+  std::vector<double> numbers{spectra.range.from_s, spectra.range.to_s, spectra.mean_ratio};
+  list(archive, "scaling_range",
+       {"-",
+        "periods from and to which it is compared, s, and the mean of its average over the target "
+        "between them"},
+       numbers);
+  if constexpr (Archive::reads) {
+    expect_fit(rule.size() == 1 && numbers.size() == 3, "scaling_rule", "scaling_range");
+    spectra.rule = value_of(scaling_rule_names(), rule.front());
+    spectra.range = {numbers[0], numbers[1]};
+    spectra.mean_ratio = numbers[2];
+  }
+}
+
 template <class Archive, class Spectra>
 void exchange_spectra(const Archive& archive, Spectra& spectra) {
+  exchange_rule(archive, spectra);
+  const std::string combination = is_of_16_2(spectra.rule) ? "rotd100_g" : "srss_g";
   list(archive, "period_s", {"s", "periods of the spectra"}, spectra.periods_s);
-  make_rows(archive, "srss_g", spectra.srss_g, 2);
+  make_rows(archive, combination, spectra.records_g, 2);
+  const std::string of_record = fmt::format(
+      "5 % {} spectrum of each scaled record, by (record, period)", spectra.combination());
   matrix(
-      archive, "srss_g", {"g", "5 % SRSS spectrum of each scaled record, by (record, period)"},
-      spectra.srss_g, [](auto& row) -> auto& { return row; });
-  list(archive, "average_srss_g", {"g", "average over the records"}, spectra.average_srss_g);
+      archive, combination, {"g", of_record.c_str()}, spectra.records_g,
+      [](auto& row) -> auto& { return row; });
+  list(archive, "average_" + combination, {"g", "average over the records"}, spectra.average_g);
   list(archive, "target_g", {"g", "target spectrum; empty without a target"}, spectra.target_g);
   // The average over the target from 0 to 2 s, between the periods above too; nan without a target.
   archive.attribute("lowest_ratio_to_target", spectra.to_target.lowest.ratio);

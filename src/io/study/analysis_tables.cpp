@@ -71,9 +71,10 @@ std::string listed(const std::vector<std::string>& tables, const std::string& la
 
 bool may_miss_target(const StudyConfig& study) {
   return study.intensity.measure != IntensityMeasure::sds_g ||
-         study.quantities.at("building", "period_s").largest() *
-                 study.quantities.at("building", "period_ratio").largest() >
-             longest_scaled_period_s;
+         (study.intensity.scaling_rule == ScalingRule::walters_2012 &&
+          study.quantities.at("building", "period_s").largest() *
+                  study.quantities.at("building", "period_ratio").largest() >
+              longest_scaled_period_s);
 }
 
 std::vector<FrictionValue> usual_friction_values(const TomlTable& root) {

@@ -48,6 +48,14 @@ void add_head(std::vector<GrammarKey>& keys) {
        {"intensity", "measure", "name", "required", measures()},
        {"intensity", "levels", list_value, "required",
         "the levels, increasing, in the measure's unit"},
+       {"intensity", "scaling_rule", one_of(scaling_rule_names()),
+        quoted(scaling_rule_names(), usual.intensity.scaling_rule),
+        "how a suite is scaled to its design spectrum: by Walters et al. (2012), or by a clause of "
+        "ASCE 7 (suites/README.md), at DBE and MCE. With sds_g the study scales the suite as a "
+        "whole; with mce_fraction its file must"},
+       {"intensity", "to_1_5_t", "true or false", "false",
+        "asce7_16, asce7_22: up to 1.5 times the longest period in place of 2, where a dynamic "
+        "analysis justifies it (16.2.3.1)"},
        {"intensity", "scaled_to_s", "number", fmt::format("{:g}", usual.intensity.scaled_to_s),
         "sds_g: the suite's average is 0.9 of the design spectrum or more from 2 s to here too, s"},
        {"intensity", "sa_period_s", "number", "required with sa_g",

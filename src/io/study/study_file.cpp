@@ -32,6 +32,26 @@ void refuse_other_keys(const TomlTable& table, IntensityMeasure measure) {
   }
 }
 
+void read_scaling_rule(const TomlTable& table, IntensityConfig& intensity) {
+  intensity.scaling_rule = table.choice<ScalingRule>("scaling_rule", scaling_rule_names())
+                               .value_or(intensity.scaling_rule);
+  intensity.to_one_and_a_half = table.flag("to_1_5_t").value_or(false);
+  if (!intensity.measure.is_of_design_spectrum())
+    for (const char* key : {"scaling_rule", "to_1_5_t"})
+      if (table.has(key))
+        table.report(key,
+                     fmt::format("{} is of a suite that is scaled to a design spectrum, and levels "
+                                 "are of {}",
+                                 table.name_of(key), intensity.measure.key()),
+                     "leave it out, or measure by sds_g or mce_fraction");
+  if (intensity.to_one_and_a_half && !is_of_16_2(intensity.scaling_rule))
+    table.report("to_1_5_t", "intensity.to_1_5_t is of asce7_16 and asce7_22 (16.2.3.1)",
+                 "leave it out: rules are not mixed");
+  if (table.has("scaled_to_s") && intensity.scaling_rule != ScalingRule::walters_2012)
+    table.report("scaled_to_s", "intensity.scaled_to_s is of scaling_rule = \"walters_2012\"",
+                 "leave it out: rules are not mixed");
+}
+
 IntensityConfig read_intensity(const TomlTable& table, const NumberRule& level_rule) {
   IntensityConfig intensity;
   std::string known;
@@ -65,6 +85,7 @@ IntensityConfig read_intensity(const TomlTable& table, const NumberRule& level_r
     intensity.sa_period_s = table.required_number("sa_period_s", not_negative);
   if (is_own("avg_sa_periods_s"))
     intensity.avg_sa_periods_s = read_increasing(table, "avg_sa_periods_s", not_negative);
+  read_scaling_rule(table, intensity);
   constexpr NumberRule longest_rule{
       "from 2 to 30",
       [](double x) { return x >= longest_scaled_period_s && x <= longest_possible_scaled_s; },

@@ -17,19 +17,24 @@
 namespace glissade {
 namespace {
 
+constexpr double least_of_16_2 = 0.9,
+                 mean_of_16_2 = 1.0;  // of the average over the target
+
 constexpr std::array<ScalingRuleText, 5> texts{
     {{"walters_2012", "Walters et al. (2012)", "Walters et al. (2012)",
-      "average SRSS spectrum nowhere below the target from 0 to 2 s"},
+      "average SRSS spectrum nowhere below the target from 0 to 2 s", "SRSS"},
      {"asce7_10", "ASCE 7-10", "ASCE 7-10, 16.1.3.2 (recalled: verify)",
-      "average SRSS spectrum nowhere below the target from 0.2 T to 1.5 T"},
+      "average SRSS spectrum nowhere below the target from 0.2 T to 1.5 T", "SRSS"},
      {"asce7_16", "ASCE 7-16", "ASCE 7-16, 16.2.3.1 and 16.2.3.2 (recalled: verify)",
       "average maximum-direction spectrum (RotD100) nowhere below 0.9 times the target and on "
-      "average not below it"},
+      "average not below it",
+      "RotD100"},
      {"asce7_22", "ASCE 7-22", "ASCE 7-22, 16.2.3.1 and 16.2.3.2 (recalled: verify)",
       "average maximum-direction spectrum (RotD100) nowhere below 0.9 times the target and on "
-      "average not below it"},
+      "average not below it",
+      "RotD100"},
      {"single_period", "single period", "no clause of ASCE 7",
-      "RotD50 of every motion equal to the target at one period"}}};
+      "RotD50 of every motion equal to the target at one period", "RotD50"}}};
 
 void check_building(ScalingRule rule, const FirstPeriods& building) {
   const auto is_period = [](double t_s) { return std::isfinite(t_s) && t_s > 0.0; };
@@ -53,21 +58,6 @@ std::vector<double> periods_over(const PeriodRange& range) {
   return periods_s;
 }
 
-std::vector<std::string> too_few(ScalingRule rule, std::size_t motions) {
-  if (is_of_16_2(rule) && motions < 11)
-    return {fmt::format("{} motions: {}, 16.2.2 (recalled: verify) requires 11 at least", motions,
-                        text_of(rule).name)};
-  if (rule == ScalingRule::asce7_10 && motions < 3)
-    return {fmt::format("{} motions: ASCE 7-10, 16.1.3 (recalled: verify) requires 3 at least",
-                        motions)};
-  if (rule == ScalingRule::asce7_10 && motions < 7)
-    return {
-        fmt::format("{} motions: with fewer than 7, ASCE 7-10, 16.1.4 (recalled: verify) takes "
-                    "the largest response, not the average",
-                    motions)};
-  return {};
-}
-
 double mean_of(const std::vector<double>& values) {
   return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
 }
@@ -80,20 +70,11 @@ void refuse_unreached(const Suite& suite, double ratio, const char* what, double
                     "allow a larger factor, or choose stronger motions", ""});
 }
 
-/// The spectra of a suite by a rule, and its target.
-struct RuleSpectra {
-  std::vector<double> periods_s, target_g;
-  SpectrumRows rows;
-  Spectra spectra() const { return {rows.begin(), rows.end()}; }
-};
-
-RuleSpectra spectra_by_rule(const Suite& suite, ScalingRule rule, std::vector<double> periods_s,
-                            const std::function<double(double)>& target_sa_g) {
-  RuleSpectra s{std::move(periods_s), {}, {}};
-  s.target_g = target_at(target_sa_g, s.periods_s);
+SpectraByRule spectra_by_rule(const Suite& suite, ScalingRule rule, std::vector<double> periods_s) {
+  SpectraByRule s{std::move(periods_s), {}};
   for (const Motion& motion : suite.motions) {
-    s.rows.push_back(spectrum_by_rule_g(motion, rule, s.periods_s));
-    if (!(std::ranges::min(s.rows.back()) > 0.0))
+    s.rows_g.push_back(spectrum_by_rule_g(motion, rule, s.periods_s));
+    if (!(std::ranges::min(s.rows_g.back()) > 0.0))
       throw InputError({motion.id,
                         "the motion's horizontals are zero throughout: no factor brings them to a "
                         "target",
@@ -102,21 +83,24 @@ RuleSpectra spectra_by_rule(const Suite& suite, ScalingRule rule, std::vector<do
   return s;
 }
 
-void take_ratios(RuleScaling& scaling, const RuleSpectra& s) {
-  const std::vector<double> ratios = average_ratios(scaling.factors, s.spectra(), s.target_g);
-  const auto lowest = std::ranges::min_element(ratios);
-  scaling.lowest = {*lowest, s.periods_s[static_cast<std::size_t>(lowest - ratios.begin())]};
-  scaling.mean_ratio = mean_of(ratios);
+Spectra views_of(const SpectraByRule& s) { return {s.rows_g.begin(), s.rows_g.end()}; }
+
+void take_ratios(RuleScaling& scaling, const SpectraByRule& s,
+                 const std::function<double(double)>& target_sa_g) {
+  const RuleRatios ratios = ratios_by_rule(s, scaling.factors, target_sa_g);
+  scaling.lowest = ratios.lowest;
+  scaling.mean_ratio = ratios.mean;
   scaling.largest_factor = std::ranges::max(scaling.factors);
 }
 
-/// The least common factor for which the average is nowhere below `least` times the target, nor on
-/// average below `mean` times it.
-std::vector<double> lifted_factors(const Suite& suite, const RuleSpectra& s, double least,
-                                   double mean, double max_factor) {
-  const Spectra spectra = s.spectra();
+/// The least common factor for which the average is nowhere below `least` times
+/// the target, nor on average below `mean` times it.
+std::vector<double> lifted_factors(const Suite& suite, const SpectraByRule& s,
+                                   const std::vector<double>& target_g, double least, double mean,
+                                   double max_factor) {
+  const Spectra spectra = views_of(s);
   const std::vector<double> at_most =
-      average_ratios(std::vector<double>(spectra.size(), max_factor), spectra, s.target_g);
+      average_ratios(std::vector<double>(spectra.size(), max_factor), spectra, target_g);
   const auto weakest = std::ranges::min_element(at_most);
   if (*weakest < least)
     refuse_unreached(
@@ -128,10 +112,10 @@ std::vector<double> lifted_factors(const Suite& suite, const RuleSpectra& s, dou
     refuse_unreached(suite, mean_of(at_most), "on average over the periods", max_factor);
   std::vector<double> closest(spectra.size());
   std::ranges::transform(spectra, closest.begin(), [&](std::span<const double> spectrum) {
-    return closest_factor(spectrum, s.target_g);
+    return closest_factor(spectrum, target_g);
   });
   const auto lifted = [&](double fraction) {
-    std::vector<double> wanted_g = s.target_g;
+    std::vector<double> wanted_g = target_g;
     for (double& sa : wanted_g) sa *= fraction;
     return lift_to_target(closest, spectra, wanted_g, max_factor).factors;
   };
@@ -141,7 +125,7 @@ std::vector<double> lifted_factors(const Suite& suite, const RuleSpectra& s, dou
   constexpr int most_rounds = 200;
   constexpr double rounding = 1e-12;
   for (int round = 0; round < most_rounds; ++round) {
-    const double reached = mean_of(average_ratios(factors, spectra, s.target_g));
+    const double reached = mean_of(average_ratios(factors, spectra, target_g));
     if (reached >= mean * (1.0 - rounding)) break;
     fraction = std::min(fraction * mean / reached, *weakest);
     factors = lifted(fraction);
@@ -152,18 +136,17 @@ std::vector<double> lifted_factors(const Suite& suite, const RuleSpectra& s, dou
 RuleScaling scale_at_one_period(const Suite& suite, const FirstPeriods& building,
                                 const std::function<double(double)>& target_sa_g,
                                 double max_factor) {
-  const RuleSpectra s =
-      spectra_by_rule(suite, ScalingRule::single_period, {building.longest_s}, target_sa_g);
+  const SpectraByRule s = spectra_by_rule(suite, ScalingRule::single_period, {building.longest_s});
   RuleScaling scaling;
-  for (std::size_t i = 0; i < s.rows.size(); ++i) {
-    scaling.factors.push_back(s.target_g[0] / s.rows[i][0]);
+  for (std::size_t i = 0; i < s.rows_g.size(); ++i) {
+    scaling.factors.push_back(target_sa_g(building.longest_s) / s.rows_g[i][0]);
     if (scaling.factors.back() > max_factor)
       throw InputError({suite.motions[i].id,
                         fmt::format("needs the factor {:.4g}, above max_factor = {:g}",
                                     scaling.factors.back(), max_factor),
                         "allow it, or choose a stronger motion", ""});
   }
-  take_ratios(scaling, s);
+  take_ratios(scaling, s, target_sa_g);
   return scaling;
 }
 
@@ -190,6 +173,44 @@ PeriodRange period_range(ScalingRule rule, const FirstPeriods& building) {
   return {0.2 * building.shortest_s, upper * building.longest_s};
 }
 
+std::vector<double> periods_by_rule_s(ScalingRule rule, const FirstPeriods& building) {
+  return rule == ScalingRule::walters_2012 ? walters_periods_s()
+                                           : periods_over(period_range(rule, building));
+}
+
+std::vector<std::string> too_few_for(ScalingRule rule, std::size_t motions) {
+  if (is_of_16_2(rule) && motions < 11)
+    return {fmt::format("{} motions: {}, 16.2.2 (recalled: verify) requires 11 at least", motions,
+                        text_of(rule).name)};
+  if (rule == ScalingRule::asce7_10 && motions < 3)
+    return {fmt::format("{} motions: ASCE 7-10, 16.1.3 (recalled: verify) requires 3 at least",
+                        motions)};
+  if (rule == ScalingRule::asce7_10 && motions < 7)
+    return {
+        fmt::format("{} motions: with fewer than 7, ASCE 7-10, 16.1.4 (recalled: verify) takes the "
+                    "largest response, not the average",
+                    motions)};
+  return {};
+}
+
+RuleRatios ratios_by_rule(const SpectraByRule& spectra, const std::vector<double>& factors,
+                          const std::function<double(double)>& target_sa_g) {
+  const std::vector<double>& t = spectra.periods_s;
+  const std::vector<double> ratios =
+      average_ratios(factors, views_of(spectra), target_at(target_sa_g, t));
+  const auto [low, high] = std::ranges::minmax_element(ratios);
+  const auto at = [&](auto ratio) {
+    return SpectralRatio{*ratio, t[static_cast<std::size_t>(ratio - ratios.begin())]};
+  };
+  return {at(low), at(high), mean_of(ratios)};
+}
+
+double missing_factor(ScalingRule rule, const RuleRatios& ratios) {
+  return is_of_16_2(rule)
+             ? std::max(least_of_16_2 / ratios.lowest.ratio, mean_of_16_2 / ratios.mean)
+             : 1.0 / ratios.lowest.ratio;
+}
+
 std::vector<double> spectrum_by_rule_g(const Motion& motion, ScalingRule rule,
                                        const std::vector<double>& periods_s) {
   if (rule == ScalingRule::walters_2012 || rule == ScalingRule::asce7_10)
@@ -208,7 +229,7 @@ RuleScaling scale_by_rule(const Suite& suite, ScalingRule rule, const FirstPerio
     const SuiteScaling found =
         scale_suite_to_target(suite, target_sa_g, walters_periods_s(), max_factor);
     scaling.factors = found.factors;
-    take_ratios(scaling, spectra_by_rule(suite, rule, walters_periods_s(), target_sa_g));
+    take_ratios(scaling, spectra_by_rule(suite, rule, walters_periods_s()), target_sa_g);
   } else {
     if (suite.motions.empty())
       throw InputError({suite.name, "the suite has no motions", "give at least one", ""});
@@ -219,15 +240,16 @@ RuleScaling scale_by_rule(const Suite& suite, ScalingRule rule, const FirstPerio
     if (rule == ScalingRule::single_period) {
       scaling = scale_at_one_period(suite, building, target_sa_g, max_factor);
     } else {
-      const RuleSpectra s = spectra_by_rule(suite, rule, periods_over(range), target_sa_g);
+      const SpectraByRule s = spectra_by_rule(suite, rule, periods_by_rule_s(rule, building));
       const bool of_16_2 = is_of_16_2(rule);
       scaling.factors =
-          lifted_factors(suite, s, of_16_2 ? 0.9 : 1.0, of_16_2 ? 1.0 : 0.0, max_factor);
-      take_ratios(scaling, s);
+          lifted_factors(suite, s, target_at(target_sa_g, s.periods_s),
+                         of_16_2 ? least_of_16_2 : 1.0, of_16_2 ? mean_of_16_2 : 0.0, max_factor);
+      take_ratios(scaling, s, target_sa_g);
     }
   }
   scaling.range = range;
-  scaling.warnings = too_few(rule, suite.motions.size());
+  scaling.warnings = too_few_for(rule, suite.motions.size());
   return scaling;
 }
 

@@ -119,10 +119,10 @@ Table record_spectra_table(const CalculationPackage& package) {
               "Spectra of the records at the building periods, scaled to DBE: S_a, g",
               {number_column, text_column("id", "Record")},
               {}};
-  table.notes = {fmt::format(
-      "SRSS of both horizontal components, 5 % damping; at all periods: Fig. 1. Spectra "
-      "are computed to {:g} s.",
-      grid_s.back())};
+  table.notes = {
+      fmt::format("{} of both horizontal components, 5 % damping; at all periods: Fig. 1. Spectra "
+                  "are computed to {:g} s.",
+                  spectra.combination(), grid_s.back())};
   for (const double period_s : package.project.building.period_s)
     table.columns.push_back(
         text_column(fmt::format("sa_{:g}_s", period_s), fmt::format("{:.3g}\u00a0s", period_s)));
@@ -144,8 +144,8 @@ Table record_spectra_table(const CalculationPackage& package) {
     table.add(row);
   };
   for (std::size_t i = 0; i < package.demand.records.size(); ++i)
-    add(number_after(table), package.demand.records[i].id, spectra.srss_g[i]);
-  add(std::string(), "average", spectra.average_srss_g);
+    add(number_after(table), package.demand.records[i].id, spectra.records_g[i]);
+  add(std::string(), "average", spectra.average_g);
   if (!spectra.target_g.empty()) add(std::string(), "design spectrum", spectra.target_g);
   return table;
 }

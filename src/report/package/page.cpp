@@ -189,24 +189,34 @@ Html roof_motions_html(const CalculationPackage& package) {
 
 Html motions_html(const CalculationPackage& package, const std::vector<DrawnFigure>& figures) {
   if (package.project.of_roof) return roof_motions_html(package);
-  const SpectralRatios& ratios = package.demand.suites.front().spectra.to_target;
+  const SuiteSpectra& spectra = package.demand.suites.front().spectra;
+  const SpectralRatios& ratios = spectra.to_target;
   const double to_s = 1.5 * periods_of(package.project).back();
   const std::string beyond =
       to_s > longest_scaled_period_s && !package.project.without_target
           ? fmt::format(
                 ", and nowhere below {:g} times it from there to {:.3g} s, 1.5 times the "
-                "longest building period of the demand study (ASCE 7-16, 16.2)",
+                "longest building period of the demand study (by no clause)",
                 least_over_target_beyond, to_s)
           : "";
-  return paragraph(
-             fmt::format("Suite: {}: {}. The suite, with its own scales, is multiplied by one "
-                         "factor, so that its average SRSS spectrum is the design spectrum or more "
-                         "at each period of the scaling rule, 0 to 2 s (Walters et al. 2012){}. "
-                         "Between these periods the lowest is {:.3f} times the design spectrum (at "
-                         "{:.3g} s), the highest {:.3f} times (at {:.3g} s). MCE is 1.5 times DBE.",
-                         package.demand.suites.front().name,
-                         package.demand.suites.front().description, beyond, ratios.lowest.ratio,
-                         ratios.lowest.period_s, ratios.highest.ratio, ratios.highest.period_s)) +
+  const bool by_walters = spectra.rule == ScalingRule::walters_2012;
+  const std::string rule =
+      by_walters ? "its average SRSS spectrum is the design spectrum or more at each period of the "
+                   "scaling rule, 0 to 2 s (Walters et al. 2012)" +
+                       beyond +
+                       ". This is the rule of the paper, and none of ASCE 7: that of an edition is "
+                       "suite.scaling_rule of the project"
+                 : fmt::format("it meets {}: its {}, here from {:.3g} to {:.3g} s, at DBE and MCE",
+                               text_of(spectra.rule).clause, text_of(spectra.rule).spectrum,
+                               spectra.range.from_s, spectra.range.to_s);
+  return paragraph(fmt::format(
+             "Suite: {}: {}. The suite, with its own scales, is multiplied by one factor, so that "
+             "{}. {} the lowest is {:.3f} times the design spectrum (at {:.3g} s), the highest "
+             "{:.3f} times (at {:.3g} s){}. MCE is 1.5 times DBE.",
+             package.demand.suites.front().name, package.demand.suites.front().description, rule,
+             by_walters ? "Between these periods" : "There", ratios.lowest.ratio,
+             ratios.lowest.period_s, ratios.highest.ratio, ratios.highest.period_s,
+             by_walters ? "" : fmt::format(", the mean {:.3f} times", spectra.mean_ratio))) +
          page_table(motions_table(package)) + page_table(scaled_motions_table(package)) +
          page_table(record_spectra_table(package)) + figure_html(figures.front(), 1);
 }

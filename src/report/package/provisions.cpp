@@ -114,14 +114,12 @@ Table provisions_table(const CalculationPackage& package) {
   add_pv1(project, rows);
   rows.add("Walters et al. 2012", "design friction: mean - 2 std", Section::friction, "[4]");
   if (!project.of_roof) {
-    rows.add("Walters et al. 2012",
-             "the average SRSS spectrum of the suite is the design spectrum "
-             "or more, 0 to 2 s",
-             Section::motions, "[4]");
-    if (1.5 * periods_of(project).back() > longest_scaled_period_s)
-      rows.add("ASCE 7-16, 16.2",
-               fmt::format("{:g} of the design spectrum or more to 1.5 times the longest period",
-                           least_over_target_beyond),
+    if (project.scaling_rule == ScalingRule::walters_2012)
+      rows.add("Walters et al. 2012",
+               "the average SRSS spectrum of the suite is the design spectrum or more, 0 to 2 s",
+               Section::motions, "[4]");
+    else
+      rows.add(text_of(project.scaling_rule).clause, text_of(project.scaling_rule).spectrum,
                Section::motions);
     if (!project.building.alpha.empty())
       rows.add("Miranda & Taghavi 2005", "\u03b1_0 of the structural system", Section::building);

@@ -111,12 +111,16 @@ void cut_units(Plan& plan) {
 /// The factor on each record at level 1.
 void scale_suites(Plan& plan, std::vector<std::vector<double>> spectra_g) {
   const IntensityConfig& intensity = plan.config.intensity;
-  plan.walters_spectra_g.resize(plan.suites.size());
-  for (std::size_t i = 0; i < spectra_g.size(); ++i)
-    plan.walters_spectra_g[plan.records[i].suite].push_back(std::move(spectra_g[i]));
+  plan.scaling_spectra.resize(plan.suites.size());
+  for (std::size_t i = 0; i < spectra_g.size(); ++i) {
+    SpectraByRule& of_suite = plan.scaling_spectra[plan.records[i].suite];
+    of_suite.rows_g.push_back(std::move(spectra_g[i]));
+    if (of_suite.periods_s.empty())
+      of_suite.periods_s = periods_by_rule_s(intensity.scaling_rule, plan.first_periods);
+  }
   for (std::size_t s = 0; s < plan.suites.size(); ++s) {
-    const std::vector<double> factors = intensity.measure.factors_at_unit_level(
-        intensity, plan.suites[s], plan.walters_spectra_g[s]);
+    const std::vector<double> factors =
+        intensity.measure.factors_at_unit_level(intensity, plan.suites[s], plan.scaling_spectra[s]);
     plan.factor_at_unit_level.insert(plan.factor_at_unit_level.end(), factors.begin(),
                                      factors.end());
   }
@@ -277,6 +281,10 @@ Plan begin_plan(const StudyConfig& config, std::vector<Suite> suites) {
     for (std::size_t m = 0; m < plan.suites[s].motions.size(); ++m) plan.records.push_back({s, m});
   }
   check_fit(plan.config, plan.suites);
+  const IntensityConfig& intensity = plan.config.intensity;
+  if (intensity.measure.is_of_design_spectrum() &&
+      intensity.scaling_rule != ScalingRule::walters_2012)
+    plan.first_periods = first_periods(plan.config);
   return plan;
 }
 
@@ -285,7 +293,8 @@ std::size_t spectra_to_scale(const Plan& plan) {
 }
 
 std::vector<double> spectrum_to_scale(const Plan& plan, std::size_t record) {
-  return walters_spectrum_g(plan.motion(record));
+  const ScalingRule rule = plan.config.intensity.scaling_rule;
+  return spectrum_by_rule_g(plan.motion(record), rule, periods_by_rule_s(rule, plan.first_periods));
 }
 
 void scale_plan(Plan& plan, std::vector<std::vector<double>> spectra_g) {

@@ -213,6 +213,59 @@ bool gives_clearance(const Plan& plan) {
                                    plan.config.intensity.measure.is_of_design_spectrum());
 }
 
+FirstPeriods first_periods(const StudyConfig& config) {
+  FirstPeriods periods{std::numeric_limits<double>::infinity(), 0.0,
+                       config.intensity.to_one_and_a_half};
+  const auto take = [&](double period_s) {
+    periods.shortest_s = std::min(periods.shortest_s, period_s);
+    periods.longest_s = std::max(periods.longest_s, period_s);
+  };
+  const PlannedCases cases(config);
+  for (const Case& c : cases.all()) {
+    if (config.building.kind == BuildingModel::Kind::modes) {
+      for (const Modes& axis : building_axes(c, config.building)) take(axis.period_s());
+    } else {
+      take(c.period_s);
+      if (config.two_axes()) take(c.period_s * c.period_ratio);
+    }
+  }
+  if (!(periods.shortest_s > 0.0))
+    throw InputError({config.file.string(),
+                      fmt::format("intensity.scaling_rule = \"{}\" is of the building's first "
+                                  "periods, and a building is rigid (period_s = 0)",
+                                  text_of(config.intensity.scaling_rule).key),
+                      "give periods above 0, or scaling_rule = \"walters_2012\"", ""});
+  return periods;
+}
+
+namespace {
+
+/// Of a suite that its file scales.
+std::optional<MissedTarget> missed_rule(const Plan& plan, std::size_t suite,
+                                        const std::vector<double>& factors,
+                                        const std::function<double(double)>& mce_g) {
+  constexpr double rounding = 1e-3;  // of factors in the file
+  const ScalingRule rule = plan.config.intensity.scaling_rule;
+  SpectraByRule spectra{periods_by_rule_s(rule, plan.first_periods), {}};
+  for (const Motion& motion : plan.suites[suite].motions)
+    spectra.rows_g.push_back(spectrum_by_rule_g(motion, rule, spectra.periods_s));
+  const RuleRatios ratios = ratios_by_rule(spectra, factors, mce_g);
+  const double missing = missing_factor(rule, ratios);
+  if (missing <= 1.0 + rounding) return {};
+  const ScalingRuleText& text = text_of(rule);
+  const PeriodRange range = period_range(rule, plan.first_periods);
+  return MissedTarget{fmt::format("from {:.3g} to {:.3g} s the suite's average {} spectrum is at "
+                                  "least {:.3g} times its MCE target (at {:.3g} s), on average "
+                                  "{:.3g} times; {} wants its {}",
+                                  range.from_s, range.to_s, text.combination, ratios.lowest.ratio,
+                                  ratios.lowest.period_s, ratios.mean, text.clause, text.spectrum),
+                      fmt::format("multiply the suite's scales by {:.4g}, measure by sds_g, which "
+                                  "scales it",
+                                  missing)};
+}
+
+}  // namespace
+
 std::optional<MissedTarget> missed_target(const Plan& plan, std::size_t suite) {
   if (plan.suites[suite].of_roof) return {};  // they are what was designed for
   const bool by_sds = plan.config.intensity.measure == IntensityMeasure::sds_g;
@@ -230,6 +283,8 @@ std::optional<MissedTarget> missed_target(const Plan& plan, std::size_t suite) {
   const TargetSpectrum spectrum(*target);
   const std::vector<double> factors = mce_factors(plan, suite, spectrum.sds_g());
   const auto mce_g = [&](double period_s) { return spectrum.mce_sa_g(period_s); };
+  if (plan.config.intensity.scaling_rule != ScalingRule::walters_2012)
+    return by_sds ? std::nullopt : missed_rule(plan, suite, factors, mce_g);
   if (!by_sds) {
     const SpectralRatio lowest = ratios_to_target(plan.suites[suite], factors, mce_g).lowest;
     if (lowest.ratio < least_over_target)
@@ -240,7 +295,8 @@ std::optional<MissedTarget> missed_target(const Plan& plan, std::size_t suite) {
           fmt::format("multiply the suite's scales by {:.4g}, measure by sds_g, which scales it",
                       1.0 / lowest.ratio)};
   }
-  // To 1.5 times the longest building period (ASCE 7-16, 16.2, recalled).
+  // To 1.5 times the longest building period: Walters's rule ends at 2 s, and
+  // is of buildings to 2 s.
   const double longest_s = longest_period_s(plan);
   if (1.5 * longest_s <= longest_scaled_period_s || !gives_clearance(plan)) return {};
   const SpectralRatio lowest = lowest_ratio_to_target(plan.suites[suite], factors, mce_g,

@@ -12,6 +12,10 @@ void check_fit(const StudyConfig& config, const std::vector<Suite>& suites);
 /// have no clearance.
 bool gives_clearance(const Plan& plan);
 
+/// Of all buildings along their axes. Throws InputError for one that is rigid:
+/// no rule of ASCE 7 is of it.
+FirstPeriods first_periods(const StudyConfig& config);
+
 /// In what a suite does not meet its target, and what to do.
 struct MissedTarget {
   std::string what, remedy;

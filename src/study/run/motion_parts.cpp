@@ -11,6 +11,7 @@
 
 #include "glissade/core/units.hpp"
 #include "glissade/motion/intensity.hpp"
+#include "glissade/motion/rotated_spectrum.hpp"
 
 namespace glissade {
 namespace {
@@ -70,8 +71,18 @@ bool is_by_sds(const Plan& plan) {
   return plan.config.intensity.measure == IntensityMeasure::sds_g;
 }
 
-/// The same, and to where the study scales the suite; of a suite that its file scales to MCE the
-/// periods of the rule it is scaled by, 0 to 2 s.
+/// Of measures that are not of a design spectrum too.
+bool is_by_walters(const Plan& plan) {
+  return !plan.config.intensity.measure.is_of_design_spectrum() ||
+         plan.config.intensity.scaling_rule == ScalingRule::walters_2012;
+}
+
+PeriodRange rule_range(const Plan& plan) {
+  return period_range(plan.config.intensity.scaling_rule, plan.first_periods);
+}
+
+/// The same, and to where the rule of the scaling goes; of a suite that its
+/// file scales to MCE from 0 to 2 s by 0.01 s.
 std::vector<double> suite_periods_s(const Plan& plan) {
   std::vector<double> periods = shown_periods_s();
   const IntensityConfig& intensity = plan.config.intensity;
@@ -80,13 +91,14 @@ std::vector<double> suite_periods_s(const Plan& plan) {
     periods.assign(count + 1, 0.0);
     for (std::size_t i = 1; i <= count; ++i)
       periods[i] = 2.0 * static_cast<double>(i) / static_cast<double>(count);
-  } else if (is_by_sds(plan) && intensity.scaled_to_s > longest_scaled_period_s) {
+  }
+  const double to_s =
+      is_by_walters(plan) ? (is_by_sds(plan) ? intensity.scaled_to_s : 0.0) : rule_range(plan).to_s;
+  if (to_s > longest_scaled_period_s) {
     constexpr double growth = 1.07;
-    for (double t_s = growth * periods.back(); t_s < intensity.scaled_to_s; t_s *= growth)
-      periods.push_back(t_s);
-    const auto at = std::ranges::lower_bound(periods, intensity.scaled_to_s);
-    if (at == periods.end() || *at != intensity.scaled_to_s)
-      periods.insert(at, intensity.scaled_to_s);
+    for (double t_s = growth * periods.back(); t_s < to_s; t_s *= growth) periods.push_back(t_s);
+    const auto at = std::ranges::lower_bound(periods, to_s);
+    if (at == periods.end() || *at != to_s) periods.insert(at, to_s);
   }
   return periods;
 }
@@ -112,21 +124,37 @@ std::function<double(double)> shown_target(const Plan& plan, std::size_t suite) 
   };
 }
 
-/// Where the average of a suite is lowest and highest relative to its target; empty where it is not
-/// shown with one.
+/// By a rule that is not Walters's.
+SpectraByRule rule_spectra(const Plan& plan, std::size_t suite) {
+  if (is_by_sds(plan)) return plan.scaling_spectra[suite];
+  const ScalingRule rule = plan.config.intensity.scaling_rule;
+  SpectraByRule spectra{periods_by_rule_s(rule, plan.first_periods), {}};
+  for (const Motion& motion : plan.suites[suite].motions)
+    spectra.rows_g.push_back(spectrum_by_rule_g(motion, rule, spectra.periods_s));
+  return spectra;
+}
+
+/// Where the average of a suite is lowest and highest relative to its target;
+/// empty where it is not shown with one.
 std::vector<double> ratios_of(const Plan& plan, std::size_t suite) {
   if (plan.target_of(suite) == nullptr || (is_by_sds(plan) && reference_level(plan.config) <= 0.0))
     return {};
   const std::vector<double> factors = shown_factors(plan, suite);
   const auto target = shown_target(plan, suite);
-  const SpectralRatios found =
-      is_by_sds(plan)
-          ? ratios_to_target(plan.suites[suite], factors, target, plan.walters_spectra_g[suite])
-          : ratios_to_target(plan.suites[suite], factors, target);
+  if (!is_by_walters(plan)) {
+    const RuleRatios found = ratios_by_rule(rule_spectra(plan, suite), factors, target);
+    return {found.lowest.ratio, found.lowest.period_s, found.highest.ratio, found.highest.period_s,
+            found.mean};
+  }
+  const SpectralRatios found = is_by_sds(plan)
+                                   ? ratios_to_target(plan.suites[suite], factors, target,
+                                                      plan.scaling_spectra[suite].rows_g)
+                                   : ratios_to_target(plan.suites[suite], factors, target);
   return {found.lowest.ratio, found.lowest.period_s, found.highest.ratio, found.highest.period_s};
 }
 
-/// The spectra of a record: as recorded sa_g and velocities of a roof, then the SRSS in m/s^2.
+/// The spectra of a record: as recorded sa_g and velocities of a roof, then the
+/// SRSS, or RotD100, in m/s^2.
 std::vector<double> spectra_of(const Plan& plan, std::size_t record) {
   const Motion& motion = plan.motion(record);
   const std::vector<double> periods = shown_periods_s();
@@ -135,9 +163,11 @@ std::vector<double> spectra_of(const Plan& plan, std::size_t record) {
   for (double& sa : numbers) sa /= standard_gravity_mps2;
   const std::vector<double> velocities = horizontal_roof_velocity_mps(motion, periods);
   numbers.insert(numbers.end(), velocities.begin(), velocities.end());
-  const std::vector<double> srss =
-      horizontal_spectrum_mps2(motion, suite_periods_s(plan), HorizontalCombination::srss);
-  numbers.insert(numbers.end(), srss.begin(), srss.end());
+  const std::vector<double> together =
+      is_by_walters(plan) || !is_of_16_2(plan.config.intensity.scaling_rule)
+          ? horizontal_spectrum_mps2(motion, suite_periods_s(plan), HorizontalCombination::srss)
+          : rotated_spectrum(motion, suite_periods_s(plan)).rotd100_mps2;
+  numbers.insert(numbers.end(), together.begin(), together.end());
   return numbers;
 }
 
@@ -147,7 +177,7 @@ SuiteSummary suite_of(const Plan& plan, std::size_t suite, const std::vector<dou
   spectra.periods_s = suite_periods_s(plan);
   spectra.reference_level = reference_level(plan.config);
   const std::size_t periods = spectra.periods_s.size();
-  spectra.average_srss_g.assign(periods, 0.0);
+  spectra.average_g.assign(periods, 0.0);
   const std::vector<double> factors = shown_factors(plan, suite);
   const double motions = static_cast<double>(factors.size());
   std::size_t record = 0;
@@ -157,9 +187,9 @@ SuiteSummary suite_of(const Plan& plan, std::size_t suite, const std::vector<dou
     std::vector<double> srss(numbers.end() - static_cast<std::ptrdiff_t>(periods), numbers.end());
     for (std::size_t p = 0; p < periods; ++p) {
       srss[p] *= factor / standard_gravity_mps2;
-      spectra.average_srss_g[p] += srss[p] / motions;
+      spectra.average_g[p] += srss[p] / motions;
     }
-    spectra.srss_g.push_back(std::move(srss));
+    spectra.records_g.push_back(std::move(srss));
   }
   std::string target_name;
   if (const DesignTarget* design = plan.target_of(suite); design != nullptr) {
@@ -168,6 +198,11 @@ SuiteSummary suite_of(const Plan& plan, std::size_t suite, const std::vector<dou
     for (const double period : spectra.periods_s) spectra.target_g.push_back(target(period));
   }
   if (!ratios.empty()) spectra.to_target = {{ratios[0], ratios[1]}, {ratios[2], ratios[3]}};
+  if (!is_by_walters(plan)) {
+    spectra.rule = plan.config.intensity.scaling_rule;
+    spectra.range = rule_range(plan);
+    if (!ratios.empty()) spectra.mean_ratio = ratios[4];
+  }
   const Suite& of = plan.suites[suite];
   return {of.name, of.description, target_name, std::move(spectra), of.of_roof};
 }

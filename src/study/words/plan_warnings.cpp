@@ -60,6 +60,17 @@ Warnings missed_targets(const Plan& plan) {
   return warnings;
 }
 
+/// Of the rule by which suites are scaled, or are to be.
+Warnings few_for_rule(const Plan& plan) {
+  if (!plan.config.intensity.measure.is_of_design_spectrum()) return {};
+  Warnings warnings;
+  for (const Suite& suite : plan.suites)
+    for (const std::string& warning :
+         too_few_for(plan.config.intensity.scaling_rule, suite.motions.size()))
+      warnings.push_back(suite.name + ": " + warning);
+  return warnings;
+}
+
 /// Of the targets, each once.
 Warnings target_values(const Plan& plan) {
   Warnings warnings;
@@ -208,9 +219,9 @@ Warnings turned_roofs(const Plan& plan) {
 std::vector<std::string> warnings_on(const Plan& plan) {
   std::vector<std::string> warnings;
   for (const auto warning :
-       {without_target, one_axis, strong_levels, missed_targets, target_values, stated_modes,
-        improbable_buildings, period_gaps, low_friction, high_friction, free_sliding, other_targets,
-        same_motions, motions, nearest_records, turned_roofs}) {
+       {without_target, one_axis, strong_levels, missed_targets, few_for_rule, target_values,
+        stated_modes, improbable_buildings, period_gaps, low_friction, high_friction, free_sliding,
+        other_targets, same_motions, motions, nearest_records, turned_roofs}) {
     for (std::string& text : warning(plan)) warnings.push_back(std::move(text));
   }
   for_each_analysis(Analyses(), [&](auto analysis) {

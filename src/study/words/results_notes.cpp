@@ -93,6 +93,16 @@ void note_suite(const SuiteSummary& suite, const IntensityConfig& intensity,
   const SuiteSpectra& spectra = suite.spectra;
   if (std::isnan(spectra.to_target.lowest.ratio)) return;  // no shaking at the level shown
   const auto& [lowest, highest] = spectra.to_target;
+  if (spectra.rule != ScalingRule::walters_2012) {
+    notes.push_back(
+        fmt::format("The suite {} is scaled by {}: {}, here from {:.3g} to {:.3g} s. The lowest is "
+                    "{:.3g} times the design spectrum, at {:.3g} s, the highest {:.3g} times, at "
+                    "{:.3g} s, the mean {:.3g}",
+                    suite.name, text_of(spectra.rule).clause, text_of(spectra.rule).spectrum,
+                    spectra.range.from_s, spectra.range.to_s, lowest.ratio, lowest.period_s,
+                    highest.ratio, highest.period_s, spectra.mean_ratio));
+    return;
+  }
   notes.push_back(
       fmt::format("The suite {} is scaled so that its average SRSS spectrum is the design spectrum "
                   "or more at the periods of the scaling rule, 0 to {:g} s{}; between them the "
@@ -113,11 +123,11 @@ void warn_of_dominance(const Results& results, std::vector<std::string>& warning
   std::size_t first = 0;
   for (const SuiteSummary& suite : results.suites) {
     const SuiteSpectra& spectra = suite.spectra;
-    const std::size_t records = spectra.srss_g.size();
+    const std::size_t records = spectra.records_g.size();
     for (std::size_t i = 0; i < records && records >= least_records; ++i) {
       double share = 0.0;
       for (std::size_t p = 0; p < spectra.periods_s.size(); ++p)
-        share += spectra.srss_g[i][p] / spectra.average_srss_g[p];
+        share += spectra.records_g[i][p] / spectra.average_g[p];
       share /= static_cast<double>(records * spectra.periods_s.size());
       if (share > most_share)
         warnings.push_back(fmt::format(

@@ -514,6 +514,17 @@ TEST_F(ProjectFile, of_a_long_period_scales_its_suite_to_one_and_a_half_times_th
             IntensityConfig{}.scaled_to_s);
 }
 
+TEST_F(ProjectFile, scales_its_suite_by_the_rule_that_it_states) {
+  const std::string text = changed("[suite]", "[suite]\nscaling_rule = \"asce7_16\"");
+  for (const std::string& study : {demand_study(read(text), folder_.path()),
+                                   probability_study(read(text), folder_.path(), {0.1})}) {
+    folder_.write("demand.toml", study);
+    EXPECT_EQ(read_study(folder_.path() / "demand.toml").intensity.scaling_rule,
+              ScalingRule::asce7_16);
+  }
+  EXPECT_EQ(read(whole).scaling_rule, ScalingRule::walters_2012);
+}
+
 TEST_F(ProjectFile, of_one_period_and_mass_ratio_varies_both_for_the_sensitivity) {
   folder_.write("demand.toml", demand_study(read(changed("[1.0, 0.5]", "1.0")), folder_.path()));
   const StudyConfig study = read_study(folder_.path() / "demand.toml");

@@ -126,8 +126,13 @@ TEST(results_file, head_suites_and_records_come_back) {
   const std::vector<double> sa_g = written.records[0].sa_g;
   written.records[0] = {0,   "a",  "event", "station", 6.9,  8.5,   380.0, 2.5, 1.7,  0.5, 0.4,
                         0.3, 12.5, 0.005,   7671,      true, false, 1,     1.5, sa_g, sa_g};
+  written.records[0].processing = "trimmed";
+  SuiteSpectra& by_clause = written.suites[1].spectra;
+  by_clause.rule = ScalingRule::asce7_16;
+  by_clause.range = {0.1, 1.25};
+  by_clause.mean_ratio = 1.0625;
   written.records[4].suite = 1;
-  written.suites[0].spectra.srss_g.pop_back();
+  written.suites[0].spectra.records_g.pop_back();
   write_results(folder.path() / "a.h5", written);
   const Results read = read_results(folder.path() / "a.h5");
   EXPECT_EQ(read.study_name, written.study_name);
@@ -168,6 +173,11 @@ TEST(results_file, head_suites_and_records_come_back) {
   EXPECT_EQ(record.stronger, 1u);
   EXPECT_EQ(record.arias_mps, 1.5);
   EXPECT_EQ(record.roof_velocity_mps, sa_g);
+  EXPECT_EQ(record.processing, "trimmed");
+  EXPECT_EQ(read.suites[0].spectra.rule, ScalingRule::walters_2012);
+  EXPECT_EQ(read.suites[1].spectra.rule, ScalingRule::asce7_16);
+  EXPECT_EQ(read.suites[1].spectra.range.to_s, 1.25);
+  EXPECT_EQ(read.suites[1].spectra.mean_ratio, 1.0625);
   EXPECT_EQ(read.records[4].suite, 1u);
   ASSERT_EQ(read.suites.size(), 2u);
   for (std::size_t i = 0; i < 2; ++i) {
@@ -175,8 +185,8 @@ TEST(results_file, head_suites_and_records_come_back) {
     EXPECT_EQ(read.suites[i].description, written.suites[i].description);
     const SuiteSpectra &a = read.suites[i].spectra, &b = written.suites[i].spectra;
     EXPECT_EQ(a.periods_s, b.periods_s);
-    EXPECT_EQ(a.srss_g, b.srss_g);
-    EXPECT_EQ(a.average_srss_g, b.average_srss_g);
+    EXPECT_EQ(a.records_g, b.records_g);
+    EXPECT_EQ(a.average_g, b.average_g);
     EXPECT_EQ(a.target_g, b.target_g);
     EXPECT_EQ(a.reference_level, b.reference_level);
     EXPECT_PRED2(same_number, a.to_target.lowest.ratio, b.to_target.lowest.ratio);
@@ -360,8 +370,8 @@ TEST(results_file, parts_that_are_not_of_the_study_are_refused) {
   EXPECT_EQ(refusal([](Results& r) { r.suites.push_back(r.suites[0]); }), "records");
   EXPECT_EQ(refusal([](Results& r) { r.suites.clear(); }), "records");
   EXPECT_EQ(refusal([](Results& r) { r.suites[0].spectra.target_g.clear(); }), "target_g");
-  EXPECT_EQ(refusal([](Results& r) { r.suites[0].spectra.srss_g.pop_back(); }), "srss_g");
-  EXPECT_EQ(refusal([](Results& r) { r.suites[0].spectra.average_srss_g.pop_back(); }), "spectra");
+  EXPECT_EQ(refusal([](Results& r) { r.suites[0].spectra.records_g.pop_back(); }), "srss_g");
+  EXPECT_EQ(refusal([](Results& r) { r.suites[0].spectra.average_g.pop_back(); }), "spectra");
   EXPECT_EQ(refusal([](Results& r) { r.suites[0].spectra.target_g = {1.0}; }), "spectra");
   EXPECT_EQ(refusal([](Results& r) { r.notes_of_run = 300; }), "remarks_of_run");
 }

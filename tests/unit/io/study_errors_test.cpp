@@ -90,12 +90,16 @@ struct Contradiction {
 TEST_F(StudyFile, contradictions_and_values_out_of_range_have_one_clear_message_each) {
   const std::string rest = study_part + suite_part + friction_part + fragility_part;
   const std::string pga = rest + "[intensity]\nmeasure = \"pga_g\"\nlevels = [0.5]\n";
+  const std::string by_sds = "[intensity]\nmeasure = \"sds_g\"\nlevels = [0.5]\n";
   const std::vector<Contradiction> cases = {
       {pga + "[standards]\ncompare = [\"asce7_16\"]\n", "[standards] needs intensity.measure"},
       {pga + "sa_period_s = 1.0\n", "intensity.sa_period_s"},
       {pga + "avg_sa_periods_s = [1.0]\n", "intensity.avg_sa_periods_s"},
       {rest + "[intensity]\nmeasure = \"sa_g\"\nlevels = [0.5]\n", "intensity.sa_period_s"},
       {pga + "target = { edition = \"asce7_16\", ss_g = 1, s1_g = 0.5 }\n", "intensity.target"},
+      {pga + "scaling_rule = \"asce7_16\"\n", "intensity.scaling_rule"},
+      {rest + by_sds + "scaling_rule = \"asce7_10\"\nto_1_5_t = true\n", "intensity.to_1_5_t"},
+      {rest + by_sds + "scaling_rule = \"asce7_16\"\nscaled_to_s = 3\n", "intensity.scaled_to_s"},
       {needed + "[sampling]\nsamples = 1000\n", "sampling.samples"},
       {needed + "[sampling]\nsamples = 0\n", "sampling.samples"},
       {needed + "[sampling]\nbootstrap_replicates = 10\n", "sampling.bootstrap_replicates"},

@@ -153,20 +153,20 @@ TEST(figures, names_of_lines_stand_above_the_axis_in_the_order_of_the_lines) {
 TEST(figures, spectra_hold_every_record_and_number_a_few_on_their_own_lines) {
   Results results = made_up_results();  // 12 records
   Figure figure = spectra_figure(results);
-  for (const std::vector<double>& record : results.suites[0].spectra.srss_g)
+  for (const std::vector<double>& record : results.suites[0].spectra.records_g)
     EXPECT_GT(figure.panels[0].y.high, *std::ranges::max_element(record));
   EXPECT_TRUE(figure.panels[0].notes.empty());
   EXPECT_THAT(figure.caption, testing::Not(testing::HasSubstr("number")));
   SuiteSpectra& spectra = results.suites[0].spectra;
-  spectra.srss_g.resize(7);
+  spectra.records_g.resize(7);
   figure = spectra_figure(results);
   ASSERT_EQ(figure.panels[0].notes.size(), 7u);
   for (std::size_t r = 0; r < 7; ++r) {
     const Note& number = figure.panels[0].notes[r];
     EXPECT_EQ(number.text, std::to_string(r + 1));
     const auto at = std::ranges::find(spectra.periods_s, number.x) - spectra.periods_s.begin();
-    EXPECT_EQ(number.y, spectra.srss_g[r].at(static_cast<std::size_t>(at)));
-    EXPECT_NE(number.y, spectra.average_srss_g.at(static_cast<std::size_t>(at)));
+    EXPECT_EQ(number.y, spectra.records_g[r].at(static_cast<std::size_t>(at)));
+    EXPECT_NE(number.y, spectra.average_g.at(static_cast<std::size_t>(at)));
   }
 }
 

@@ -191,14 +191,14 @@ SuiteSpectra spectra_of(std::size_t record_count) {
   SuiteSpectra spectra;
   spectra.reference_level = 1.0;
   for (int p = 0; p <= 60; ++p) spectra.periods_s.push_back(0.05 * p);
-  spectra.average_srss_g.assign(spectra.periods_s.size(), 0.0);
+  spectra.average_g.assign(spectra.periods_s.size(), 0.0);
   for (std::size_t i = 0; i < record_count; ++i) {
-    std::vector<double>& record = spectra.srss_g.emplace_back();
+    std::vector<double>& record = spectra.records_g.emplace_back();
     for (std::size_t p = 0; p < spectra.periods_s.size(); ++p) {
       const double wave = 0.25 * std::sin(9.0 * spectra.periods_s[p] + static_cast<double>(i));
       record.push_back(1.15 * spectral_shape(spectra.periods_s[p]) *
                        std::exp(0.4 * normal(i, 2) + wave));
-      spectra.average_srss_g[p] += record.back() / static_cast<double>(record_count);
+      spectra.average_g[p] += record.back() / static_cast<double>(record_count);
     }
   }
   for (const double period_s : spectra.periods_s)

@@ -6,6 +6,9 @@
 
 #include "facts.hpp"
 #include "glissade/core/error.hpp"
+#include "glissade/core/units.hpp"
+#include "glissade/motion/intensity.hpp"
+#include "glissade/motion/rotated_spectrum.hpp"
 #include "glissade/study/plan/plan.hpp"
 #include "unit/study/small_study.hpp"
 
@@ -74,6 +77,81 @@ TEST(plan, refuses_a_clearance_of_a_suite_that_does_not_meet_its_target) {
   config.intensity.scaled_to_s = 6.0;
   EXPECT_EQ(refusal(), "");
   EXPECT_NEAR(make_plan(config, {suite}).factor_at_unit_level[0] / below, 1.799, 1e-3);
+}
+
+/// The average RotD100 (or SRSS) spectrum over the target, at periods of its
+/// own, in 0.15 %: lowest and mean.
+std::pair<double, double> plain_ratios(const Suite& suite, const std::vector<double>& factors,
+                                       bool is_rotd100, double from_s, double to_s) {
+  std::vector<double> periods_s;
+  for (double t_s = from_s; t_s < to_s; t_s *= 1.0015) periods_s.push_back(t_s);
+  periods_s.push_back(to_s);
+  std::vector<double> sum(periods_s.size(), 0.0);
+  for (std::size_t m = 0; m < factors.size(); ++m) {
+    const Motion& motion = suite.motions[m];
+    const std::vector<double> sa =
+        is_rotd100 ? rotated_spectrum(motion, periods_s).rotd100_mps2
+                   : horizontal_spectrum_mps2(motion, periods_s, HorizontalCombination::srss);
+    for (std::size_t i = 0; i < sa.size(); ++i) sum[i] += factors[m] * sa[i];
+  }
+  const TargetSpectrum target(*suite.target);
+  double lowest = 1e9, mean = 0.0;
+  for (std::size_t i = 0; i < sum.size(); ++i) {
+    const double ratio = sum[i] / static_cast<double>(factors.size()) / standard_gravity_mps2 *
+                         target.sds_g() / target.design_sa_g(periods_s[i]);
+    lowest = std::min(lowest, ratio);
+    mean += ratio / static_cast<double>(sum.size());
+  }
+  return {lowest, mean};
+}
+
+// Buildings of 0.4 s and, across, 1.5 times that; of 0.9 s and 1.35 s.
+TEST(plan, scales_a_suite_by_the_clause_of_an_edition_over_the_periods_of_its_buildings) {
+  StudyConfig config = small_config();
+  config.model.axes = SlidingAxes::two;
+  config.quantities.at("building", "period_s") = listed({0.4, 0.9});
+  config.quantities.at("building", "period_ratio") = fixed(1.5);
+  config.intensity.levels = {1.0};
+  config.standards.compare.clear();
+  config.fragility.reset();
+  config.sampling.samples = 1;
+  config.quantities.at("roof", "slope_deg") = fixed(1.0);
+  config.quantities.at("friction", "mu") = fixed(0.4);
+  config.clearance = ClearanceConfig{};
+  const Suite suite = small_suite();
+  for (const auto& [rule, to_s] : {std::pair{ScalingRule::asce7_10, 1.5 * 1.35},
+                                   {ScalingRule::asce7_16, 2.0 * 1.35},
+                                   {ScalingRule::asce7_22, 2.0 * 1.35}}) {
+    config.intensity.scaling_rule = rule;
+    const Plan plan = make_plan(config, {suite});
+    const auto [lowest, mean] =
+        plain_ratios(suite, plan.factor_at_unit_level, is_of_16_2(rule), 0.2 * 0.4, to_s);
+    EXPECT_NEAR(is_of_16_2(rule) ? std::min(lowest / 0.9, mean) : lowest, 1.0, 3e-3);
+    EXPECT_THAT(plan.warnings, testing::Contains(is_of_16_2(rule) ? states("16.2.2", "11 at least")
+                                                                  : states("fewer than 7")));
+  }
+  config.intensity.scaling_rule = ScalingRule::asce7_16;
+  config.intensity.to_one_and_a_half = true;
+  const Plan plan = make_plan(config, {suite});
+  const auto [lowest, mean] =
+      plain_ratios(suite, plan.factor_at_unit_level, true, 0.2 * 0.4, 1.5 * 1.35);
+  EXPECT_NEAR(std::min(lowest / 0.9, mean), 1.0, 3e-3);
+
+  // The file's own scales for MCE must meet the same clause.
+  StudyConfig by_file = config;
+  by_file.intensity.measure = IntensityMeasure::mce_fraction;
+  Suite scaled = suite;
+  const double mce = 1.5 * TargetSpectrum(*suite.target).sds_g();
+  for (std::size_t m = 0; m < scaled.motions.size(); ++m)
+    scaled.motions[m].scale = mce * plan.factor_at_unit_level[m];
+  EXPECT_EQ(refusal_of(by_file, scaled), "");
+  for (Motion& motion : scaled.motions) motion.scale *= 0.97;
+  EXPECT_THAT(refusal_of(by_file, scaled), states("RotD100", "ASCE 7-16", "16.2.3.1", "1.031"));
+
+  config.quantities.at("building", "period_s") = listed({0.0, 0.9});
+  EXPECT_THAT(refusal_of(config, suite), states("asce7_16", "rigid", "walters_2012"));
+  config.quantities.at("building", "period_s") = listed({0.4, 4.0});  // to 12 s
+  EXPECT_EQ(refusal_of(config, suite), "");
 }
 
 // A mean of seven is one of seven earthquakes.

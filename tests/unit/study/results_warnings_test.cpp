@@ -78,12 +78,12 @@ TEST(results_warnings, of_a_record_that_is_most_of_the_average) {
   Results r = tested({}, {});
   r.records = {{.id = "a"}, {.id = "b"}, {.id = "c"}, {.id = "d"}};
   SuiteSpectra spectra{.periods_s = {0.2, 1.0},
-                       .srss_g = {{1.0, 1.0}, {2.0, 1.0}, {1.0, 3.0}, {1.0, 1.0}},
-                       .average_srss_g = {1.25, 1.5}};
+                       .records_g = {{1.0, 1.0}, {2.0, 1.0}, {1.0, 3.0}, {1.0, 1.0}},
+                       .average_g = {1.25, 1.5}};
   r.suites = {{"suite", "of four", "", spectra}};
   EXPECT_TRUE(warnings_on(r, {}).empty());
-  for (double& sa : spectra.srss_g[1]) sa *= 50.0;
-  spectra.average_srss_g = {25.75, 13.75};
+  for (double& sa : spectra.records_g[1]) sa *= 50.0;
+  spectra.average_g = {25.75, 13.75};
   r.suites.front().spectra = spectra;
   EXPECT_THAT(warnings_on(r, {}), testing::ElementsAre(states("record b", "94 %")));
 }

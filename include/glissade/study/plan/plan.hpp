@@ -59,9 +59,10 @@ struct Plan : PlanLists {
   std::vector<PlannedRecord> records;  ///< of all suites, in their order
   KernelChoice kernel;
   PlannedCases cases;
-  std::vector<double> factor_at_unit_level;     ///< by record: factor on the motion at level 1; 0
-                                                ///< where it depends on the roof
-  std::vector<SpectrumRows> walters_spectra_g;  ///< by suite; empty unless the levels are S_DS
+  std::vector<double> factor_at_unit_level;    ///< by record: factor on the motion at level 1; 0
+                                               ///< where it depends on the roof
+  FirstPeriods first_periods;                  ///< of all buildings, where the rule is of them
+  std::vector<SpectraByRule> scaling_spectra;  ///< by suite; empty unless the levels are S_DS
   // Of rank 0 only:
   std::vector<std::string> warnings;  ///< what is possible and not probable: first in every output
   std::vector<std::string> notes;     ///< remarks that belong to the results

@@ -29,7 +29,7 @@ std::string ratio_text(const std::vector<double>& ratios) {
 }
 
 double at_period(const SuiteSpectra& spectra, std::size_t p) {
-  return spectra.average_srss_g[p] / spectra.target_g[p];
+  return spectra.average_g[p] / spectra.target_g[p];
 }
 
 std::string spectra_reading(const Results& r) {
@@ -40,9 +40,10 @@ std::string spectra_reading(const Results& r) {
     return static_cast<std::size_t>(std::lround(period / 2.0 * 200.0));
   };
   std::string text = fmt::format(
-      "From 0 to 2 s the suite's average SRSS spectrum is {} (at {:.3g} s) to {} times (at {:.3g} "
-      "s) the target spectrum",
-      format_number(lowest.ratio), lowest.period_s, format_number(highest.ratio), highest.period_s);
+      "From {:.3g} to {:.3g} s the suite's average {} spectrum is {} (at {:.3g} s) to {} times (at "
+      "{:.3g} s) the target spectrum",
+      spectra.range.from_s, spectra.range.to_s, spectra.combination(), format_number(lowest.ratio),
+      lowest.period_s, format_number(highest.ratio), highest.period_s);
   if (spectra.periods_s.size() == 201) {
     text += fmt::format(
         "; {} at 0.1 s, {} at 0.2 s, {} at 0.7 s, {} at 1 s",

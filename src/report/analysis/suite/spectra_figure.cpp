@@ -21,10 +21,10 @@ constexpr double text_size = 0.04;  // as a share of the panel
 void number_records(const SuiteSpectra& spectra, Panel& panel) {
   const std::vector<double> period_s(spectra.periods_s.begin(),
                                      std::ranges::upper_bound(spectra.periods_s, panel.x.high));
-  std::vector<std::vector<double>> lines = spectra.srss_g;
-  lines.push_back(spectra.average_srss_g);
+  std::vector<std::vector<double>> lines = spectra.records_g;
+  lines.push_back(spectra.average_g);
   if (!spectra.target_g.empty()) lines.push_back(spectra.target_g);
-  for (std::size_t r = 0; r < spectra.srss_g.size(); ++r) {
+  for (std::size_t r = 0; r < spectra.records_g.size(); ++r) {
     double farthest = -1.0;
     Note number{0.0, 0.0, fmt::format("{}", r + 1), {0x444444}};
     for (std::size_t p = 0; p < period_s.size(); ++p) {
@@ -35,7 +35,7 @@ void number_records(const SuiteSpectra& spectra, Panel& panel) {
       for (std::size_t other = 0; other < lines.size(); ++other)
         for (std::size_t q = 0; other != r && q < period_s.size(); ++q)
           least = std::min(least, distance(period_s[q], lines[other][q]) -
-                                      (other < spectra.srss_g.size() ? 0.0 : text_size));
+                                      (other < spectra.records_g.size() ? 0.0 : text_size));
       for (const Note& other : panel.notes)
         least = std::min(least, distance(other.x, other.y) - text_size);
       if (least <= farthest) continue;
@@ -50,19 +50,23 @@ void number_records(const SuiteSpectra& spectra, Panel& panel) {
 }  // namespace
 
 Figure spectra_figure(const SuiteSpectra& spectra, const SpectraTexts& texts) {
-  Figure figure{"spectra", "Response spectra of the motions, " + texts.scaled,
-                fmt::format("suite {}; {} records", texts.suite, spectra.srss_g.size()),
-                "Pseudo-acceleration spectra at 5 % damping: square root of the sum of squares "
-                "(SRSS) of the two horizontal components of each record (grey" +
-                    std::string(spectra.srss_g.size() > most_numbers
-                                    ? ""
-                                    : "; its number is that of the table of records") +
-                    "), their average" +
-                    std::string(spectra.target_g.empty() ? "" : ", and the target spectrum") +
-                    ". Suite: " + texts.suite + ", " + texts.scaled + "."};
-  DataSeries records{DataSeries::Kind::line, look(Role::record), "records",
-                     "each record, SRSS of its horizontal components"};
-  for (const std::vector<double>& record : spectra.srss_g) {
+  Figure figure{
+      "spectra", "Response spectra of the motions, " + texts.scaled,
+      fmt::format("suite {}; {} records", texts.suite, spectra.records_g.size()),
+      "Pseudo-acceleration spectra at 5 % damping: " +
+          std::string(is_of_16_2(spectra.rule) ? "maximum over all directions (RotD100)"
+                                               : "square root of the sum of squares (SRSS)") +
+          " of the two horizontal components of each record (grey" +
+          std::string(spectra.records_g.size() > most_numbers
+                          ? ""
+                          : "; its number is that of the table of records") +
+          "), their average" +
+          std::string(spectra.target_g.empty() ? "" : ", and the target spectrum") +
+          ". Suite: " + texts.suite + ", " + texts.scaled + "."};
+  DataSeries records{
+      DataSeries::Kind::line, look(Role::record), "records",
+      std::string("each record, ") + spectra.combination() + " of its horizontal components"};
+  for (const std::vector<double>& record : spectra.records_g) {
     for (std::size_t p = 0; p < record.size(); ++p) records.add(spectra.periods_s.at(p), record[p]);
     records.end_line();
   }
@@ -73,15 +77,15 @@ Figure spectra_figure(const SuiteSpectra& spectra, const SpectraTexts& texts) {
   average.width = 3.0;
   Panel panel{"",
               {"Period (s)", 0.0, to_s},
-              {"Spectral acceleration, 5 % damped, SRSS (g)"},
+              {std::string("Spectral acceleration, 5 % damped, ") + spectra.combination() + " (g)"},
               {records,
                {DataSeries::Kind::line, average, "average", "average of the records",
-                spectra.periods_s, spectra.average_srss_g}}};
+                spectra.periods_s, spectra.average_g}}};
   if (!spectra.target_g.empty())
     panel.series.push_back({DataSeries::Kind::line, look(Role::target), "target", texts.target,
                             spectra.periods_s, spectra.target_g});
   panel.y.high = 1.05 * std::max(largest(records.y), largest(spectra.target_g));
-  if (spectra.srss_g.size() <= most_numbers) number_records(spectra, panel);
+  if (spectra.records_g.size() <= most_numbers) number_records(spectra, panel);
   figure.panels = {std::move(panel)};
   return figure;
 }

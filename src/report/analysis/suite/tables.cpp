@@ -69,25 +69,26 @@ Table records_table(const Results& results) {
 
 Table spectra_table(const Results& results) {
   const SuiteSpectra& spectra = results.suites.front().spectra;
+  const std::string combination = is_of_16_2(spectra.rule) ? "rotd100" : "srss";
   Table table{"spectra",
-              "5 % damped SRSS spectra of the horizontals of suite " + results.suites.front().name +
-                  ", " +
+              std::string("5 % damped ") + spectra.combination() +
+                  " spectra of the horizontals of suite " + results.suites.front().name + ", " +
                   (spectra.reference_level > 0.0 ? "scaled to " + results.intensity_label + " = " +
                                                        level_number(spectra.reference_level)
                                                  : std::string("by the suite's own factors")) +
                   ".",
-              {{"period", "s", "Period, s"}, {"average_srss", "g", "Average, g"}},
+              {{"period", "s", "Period, s"}, {"average_" + combination, "g", "Average, g"}},
               {}};
   table.is_of_inputs = true;
   if (!spectra.target_g.empty()) table.columns.push_back({"target", "g", "Target, g"});
-  for (std::size_t r = 0; r < spectra.srss_g.size(); ++r) {
+  for (std::size_t r = 0; r < spectra.records_g.size(); ++r) {
     const std::string id = r < results.records.size() ? results.records[r].id : std::to_string(r);
-    table.columns.push_back({"srss_" + id, "g", id + ", g"});
+    table.columns.push_back({combination + "_" + id, "g", id + ", g"});
   }
   for (std::size_t p = 0; p < spectra.periods_s.size(); ++p) {
-    std::vector<Cell> row = {spectra.periods_s[p], spectra.average_srss_g.at(p)};
+    std::vector<Cell> row = {spectra.periods_s[p], spectra.average_g.at(p)};
     if (!spectra.target_g.empty()) row.emplace_back(spectra.target_g.at(p));
-    for (const std::vector<double>& record : spectra.srss_g) row.emplace_back(record.at(p));
+    for (const std::vector<double>& record : spectra.records_g) row.emplace_back(record.at(p));
     table.add(std::move(row));
   }
   return table;
