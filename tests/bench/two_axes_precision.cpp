@@ -215,6 +215,10 @@ std::vector<SchemeResult> two_axes_precision(const test::StandardScenes& all, st
        [](Scene& s) { s.base_shear = true; }},
       {"m/M 0.05, static friction", periods_s, 0.05, 1.0, one_mass,
        [](Scene& s) { s.block.law.static_over_sliding = 1.2; }},
+      {"m/M 0.05, friction by speed", periods_s, 0.05, 1.0, one_mass,
+       [](Scene& s) {
+         s.block.law = {1.0, 1.5, 20.0};
+       }},
       {"m/M 0.05, yielding", periods_s, 0.05, 1.0, one_mass,
        [](Scene& s) {
          s.building.yielding = {Yielding{2.0, 0.02}, Yielding{2.0, 0.02}};

@@ -8,6 +8,7 @@
 #include "block/full_model/stop.hpp"
 #include "block/slip_record/distance_crossings.hpp"
 #include "block/two_axes/roof/roof_piece.hpp"
+#include "block/two_axes/roof/spring_step.hpp"
 #include "block/two_axes/roof/tables.hpp"
 #include "glissade/block/two_axis_lanes.hpp"
 
@@ -36,6 +37,8 @@ double rise_by_secant(const Function& f, double f_low, double f_high, double low
   }
   return x1;
 }
+
+inline Vector velocity(const HistoryState& state) { return {state.motion.v_s, state.motion.v_y}; }
 
 /// One history: all of it but its sliding, which the lanes do.
 class LaneHistory {
@@ -73,6 +76,7 @@ class LaneHistory {
   void raise_shear(const LaneStates& lanes, std::size_t lane);
   /// A lane's normal force was below zero.
   void lifted() { uplift_ = true; }
+  bool uplift() const { return uplift_; }
 
  private:
   // Rest (history_rest.cpp).
@@ -80,8 +84,16 @@ class LaneHistory {
   Next rest_from_node(HistoryState& state);
   double release(const RoofPiece& piece);
   Next next_after(std::size_t node, const RoofAtRest& roof, HistoryState& state);
+  /// From a node on while a spring yields, over whole intervals in which nothing happens.
+  void rest_on_springs(HistoryState& state);
   void change_spring(HistoryState& state, const RoofPiece::SpringEvent& event) const;
-  HistoryState resting_at(std::int64_t node, const RoofState& state) const;
+  /// A block at rest at a node, on this roof.
+  void put_at(HistoryState& state, std::size_t node, const RoofState& roof) const;
+  HistoryState resting_at(std::size_t node, const RoofState& roof) const {
+    HistoryState state;
+    put_at(state, node, roof);
+    return state;
+  }
   Next start(HistoryState& state);
   Next go_on_from_rest(HistoryState& state) const;
 
@@ -92,7 +104,7 @@ class LaneHistory {
   /// At rest, from a node on.
   void raise_shear_to_end(RoofAtRest& roof, std::size_t from);
   /// Over a stop.
-  void raise_shear(const HistoryState& state, const Stop& stop);
+  void raise_shear(const HistoryState& state, const RoofPiece& piece, const Stop& stop);
 
   // Stops (history_stop.cpp).
   RoofPiece stopping_piece(const HistoryState& state, const Stop& stop) const;
@@ -123,6 +135,7 @@ class LaneHistory {
   bool uplift_ = false;
   DistanceCrossings crossings_;
   std::array<double, 2> largest_a_;
+  std::array<std::array<SpringStep, 2>, 2> spring_steps_;  ///< by axis; elastic, yielding
 };
 
 /// The block has moved by `displacement`, as `at` says (DistanceCrossings::pass).

@@ -17,7 +17,16 @@ LaneHistory::LaneHistory(const SceneConstants& constants, RoofKind roof, const G
       ground_(ground),
       table_(std::move(table)),
       crossings_(crossings),
-      largest_a_(base_shear ? std::array{0.0, 0.0} : std::array{never, never}) {}
+      largest_a_(base_shear ? std::array{0.0, 0.0} : std::array{never, never}) {
+  if (roof != RoofKind::yielding) return;
+  const SceneConstants& c = constants_;
+  for (std::size_t n = 0; n < 2; ++n) {
+    const double phase = (n == 0 ? c.omega_1 : c.omega_2) * ground.dt_s;
+    const double twice_zeta = n == 0 ? c.twice_zeta_1 : c.twice_zeta_2;
+    spring_steps_[n] = {SpringStep(phase, 1.0, twice_zeta, c.per_mass),
+                        SpringStep(phase, c.springs.hardening[n], twice_zeta, c.per_mass)};
+  }
+}
 
 std::int64_t LaneHistory::rows() const {
   if (table_->rows.empty()) return 0;
@@ -41,16 +50,14 @@ LaneHistory::Next LaneHistory::begin(HistoryState& state) {
   return next == Next::rests ? rest(state) : next;
 }
 
-HistoryState LaneHistory::resting_at(std::int64_t node, const RoofState& state) const {
-  const auto i = static_cast<std::size_t>(node);
-  HistoryState s;
-  s.node = node;
-  s.motion.left = 1.0;
-  s.motion.ground_1 = constants_.factor_1 * ground_.ground(0, i);
-  s.motion.ground_2 = constants_.factor_2 * ground_.ground(1, i);
-  s.motion.w = constants_.factor_w * ground_.vertical(i);
-  s.set_roof(roof_, state);
-  return s;
+void LaneHistory::put_at(HistoryState& state, std::size_t node, const RoofState& roof) const {
+  state.node = static_cast<std::int64_t>(node);
+  LaneMotion<double>& m = state.motion;
+  m.left = 1.0;
+  m.ground_1 = constants_.factor_1 * ground_.ground(0, node);
+  m.ground_2 = constants_.factor_2 * ground_.ground(1, node);
+  m.w = constants_.factor_w * ground_.vertical(node);
+  state.set_roof(roof_, roof);
 }
 
 LaneHistory::Next LaneHistory::start(HistoryState& state) {
@@ -122,6 +129,50 @@ void LaneHistory::change_spring(HistoryState& state, const RoofPiece::SpringEven
   springs.direction[n] = event.direction;
 }
 
+void LaneHistory::rest_on_springs(HistoryState& state) {
+  const SceneConstants& c = constants_;
+  const SpringMotion<double>& springs = state.springs;
+  RoofState roof = state.roof(roof_);
+  const double factor[] = {c.factor_1, c.factor_2}, twice_zeta[] = {c.twice_zeta_1, c.twice_zeta_2};
+  auto i = static_cast<std::size_t>(state.node);
+  for (const auto last = static_cast<std::size_t>(limit()); i < last; ++i) {
+    RoofState next{};
+    std::array<double, 2> begin_a, end_a;
+    double deviation = 0.0;
+    bool happens = false, raises = false;
+    for (std::size_t n = 0; n < 2; ++n) {
+      const bool yields = springs.direction[n] != 0.0;
+      const SpringStep& step = spring_steps_[n][yields ? 1 : 0];
+      const SpringStep::Begin begin{
+          roof[n][0], {factor[n] * ground_.ground(n, i), factor[n] * ground_.ground(n, i + 1)}};
+      const AxisState from = roof[n][0], to = next[n][0] = step.end(begin);
+      begin_a[n] = -(twice_zeta[n] * from.y + from.x) * c.per_mass;
+      end_a[n] = -(twice_zeta[n] * to.y + to.x) * c.per_mass;
+      const double a_left = step.a_deviation(begin), x_left = step.x_deviation(begin);
+      deviation += a_left;
+      raises =
+          raises || std::max(std::abs(begin_a[n]), std::abs(end_a[n])) + a_left > largest_a_[n];
+      const double y_left = step.y_deviation(begin);
+      happens = happens || (yields ? springs.direction[n] > 0.0 ? std::min(from.y, to.y) <= y_left
+                                                                : std::max(from.y, to.y) >= -y_left
+                                   : std::max(from.x, to.x) + x_left >= springs.high[n] ||
+                                         std::min(from.x, to.x) - x_left <= springs.low[n]);
+    }
+    const auto reserve = [&](const std::array<double, 2>& a, std::size_t node) {
+      return friction_reserve(load_of(c, a, c.factor_w * ground_.vertical(node)), c);
+    };
+    if (happens || std::min(reserve(begin_a, i), reserve(end_a, i + 1)) <=
+                       deviation * reserve_per_acceleration(c))
+      break;
+    if (raises) {
+      put_at(state, i, roof);
+      piece(state).raise(largest_a_, 1.0);
+    }
+    roof = next;
+  }
+  put_at(state, i, roof);
+}
+
 LaneHistory::Next LaneHistory::rest(HistoryState& state) {
   for (;;) {
     const RoofPiece rest_of_interval = piece(state);
@@ -139,6 +190,8 @@ LaneHistory::Next LaneHistory::rest(HistoryState& state) {
       if (next != Next::rests) return next;
     } else if (state.node >= limit()) {
       return Next::unsupported;
+    } else {
+      rest_on_springs(state);
     }
   }
 }
@@ -147,7 +200,7 @@ LaneHistory::Next LaneHistory::rest(HistoryState& state) {
 /// state as it was, where nothing does.
 LaneHistory::Next LaneHistory::next_after(std::size_t node, const RoofAtRest& roof,
                                           HistoryState& state) {
-  HistoryState at = resting_at(static_cast<std::int64_t>(node), roof.state(node));
+  HistoryState at = resting_at(node, roof.state(node));
   const RoofPiece interval = piece(at);
   const double released = release(interval);
   const RoofPiece::SpringEvent event = interval.next_event(state.springs);

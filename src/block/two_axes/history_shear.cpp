@@ -10,23 +10,23 @@ namespace glissade::block_detail::two_axes {
 
 void LaneHistory::raise_shear(const RoofAtRest& roof, std::size_t from, std::size_t to) {
   if (!follows_shear()) return;
-  const auto may_exceed = [&](const std::array<double, 2>& a) {
-    return a[0] > largest_a_[0] || a[1] > largest_a_[1];
-  };
-  for (std::size_t i = from; i < to;) {
-    const std::size_t end = std::min(roof.tile_end(i), to);
-    if (!may_exceed(roof.bound_in_tile(i))) {
-      i = end;
-      continue;
-    }
-    for (std::array<double, 2> begin = roof.acceleration(i); i < end; ++i) {
-      const std::array<double, 2> next = roof.acceleration(i + 1);
-      const auto bound = [&](std::size_t n) {
-        return std::max(std::abs(begin[n]), std::abs(next[n])) + roof.deviation(n, i);
+  for (std::size_t begin = from, end = begin; begin < to; begin = end) {
+    end = std::min(roof.tile_end(begin), to);
+    const std::array<double, 2> most = roof.bound_in_tile(begin);
+    if (most[0] <= largest_a_[0] && most[1] <= largest_a_[1]) continue;
+    const std::array<RoofAtRest::TileNodes, 2> a = roof.accelerations(begin);
+    const auto largest_at = [&](std::size_t n, std::size_t i) {
+      return std::max(std::abs(a[n][i]), std::abs(a[n][i + 1]));
+    };
+    for (std::size_t n = 0; n < 2; ++n)
+      for (std::size_t i = 0; i < end - begin; ++i)
+        largest_a_[n] = std::max(largest_a_[n], largest_at(n, i));
+    for (std::size_t i = 0; i < end - begin; ++i) {
+      const auto may_exceed = [&](std::size_t n) {
+        return largest_at(n, i) + roof.deviation(n, begin) > largest_a_[n];
       };
-      if (may_exceed({bound(0), bound(1)}))
-        piece(resting_at(static_cast<std::int64_t>(i), roof.state(i))).raise(largest_a_, 1.0);
-      begin = next;
+      if (may_exceed(0) || may_exceed(1))
+        piece(resting_at(begin + i, roof.state(begin + i))).raise(largest_a_, 1.0);
     }
   }
 }
@@ -43,9 +43,19 @@ void LaneHistory::raise_shear_to_end(RoofAtRest& roof, std::size_t from) {
   }
 }
 
-void LaneHistory::raise_shear(const HistoryState& state, const Stop& stop) {
-  if (follows_shear() && has_mass(roof_))
-    stopping_piece(state, stop).raise(largest_a_, stop.time_s / (ground_.dt_s * state.motion.left));
+void LaneHistory::raise_shear(const HistoryState& state, const RoofPiece& piece, const Stop& stop) {
+  if (!follows_shear() || !has_mass(roof_)) return;
+  const SceneConstants& c = constants_;
+  const std::array<double, 2> b = plan_velocity(velocity(state)).begin;
+  const double fraction = stop.time_s / piece.length_s();
+  const auto may_exceed = [&](std::size_t n, double omega, double omega_rho, double twice_zeta) {
+    const double of_velocity =
+        2.0 * omega_rho * std::abs(b[n]) * (twice_zeta + omega * stop.time_s);
+    return piece.bound(n, fraction) + of_velocity > largest_a_[n];
+  };
+  if (may_exceed(0, c.omega_1, c.omega_rho_1, c.twice_zeta_1) ||
+      may_exceed(1, c.omega_2, c.omega_rho_2, c.twice_zeta_2))
+    stopping_piece(state, stop).raise(largest_a_, fraction);
 }
 
 void LaneHistory::raise_shear(const LaneStates& lanes, std::size_t lane) {
@@ -54,7 +64,7 @@ void LaneHistory::raise_shear(const LaneStates& lanes, std::size_t lane) {
     Series a;
     a.terms = row_terms;
     for (std::size_t k = 0; k < row_terms; ++k) a.c[k] = shear.a[n][k][lane];
-    largest_a_[n] = std::max(largest_a_[n], largest(a, shear.fraction[lane]));
+    raise_largest(largest_a_[n], a, shear.fraction[lane]);
   }
 }
 

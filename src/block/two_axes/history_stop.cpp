@@ -12,8 +12,6 @@ namespace {
 
 /// Of the permitted error of a stop: a shorter path may pass a peak or a threshold unseen.
 constexpr double negligible_stop = 50.0;
-Vector velocity(const HistoryState& state) { return {state.motion.v_s, state.motion.v_y}; }
-
 /// The block has moved by `less` more along the axes than the modes have taken it to
 /// (RoofSeries::RespondModes).
 void move_less(const SceneConstants& c, const std::array<double, 2>& less,
@@ -81,7 +79,8 @@ bool LaneHistory::stop(HistoryState& state, const RoofPiece& piece) {
     return length(b.drive - a.drive) + std::abs(b.normal - a.normal);
   };
   const double jerk = std::max(change(now, end) / length_s, change(now, third) * 3.0 / t);
-  const double anisotropy = now.normal * c.anisotropy;
+  const double law = std::abs(c.fast_excess) * -std::expm1(-c.speed_rate * length(v));
+  const double anisotropy = now.normal * (c.anisotropy + law);  // and what else is not constant
   if (!(t * t * (jerk * t / 12.0 + 0.5 * anisotropy) <= allowed)) return false;
   const EllipticStop found =
       c.aspect == 1.0
@@ -147,7 +146,7 @@ void LaneHistory::take_stop(HistoryState& state, const RoofPiece& piece, const S
   LaneMotion<double>& m = state.motion;
   const Vector v = velocity(state), from{m.at_s, m.at_y};
   const double begin_s = time_s(state);
-  raise_shear(state, stop);
+  raise_shear(state, piece, stop);
   piece.move(state, stop.time_s / piece.length_s());
   const Vector displacement = scaled(stop.displacement, {c.cosine2, c.cosine});
   if (has_mass(roof_)) {

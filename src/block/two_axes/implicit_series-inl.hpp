@@ -19,17 +19,19 @@ constexpr int cubic = 4;  // terms
 
 /// The velocity as the cubic through velocities and accelerations at both ends of the step, the
 /// roof under it, and the stages. Velocity per cos(slope), rates times the interval's rest.
-template <RoofKind roof>
+template <RoofKind roof, Friction friction>
 class ImplicitSeries : public RoofSeries<roof, cubic, roof == RoofKind::rigid ? 2 : roof_order> {
   static constexpr int load_terms = roof == RoofKind::rigid ? 2 : roof_order;
+  static constexpr bool by_speed = friction == Friction::by_speed;
   static constexpr bool coupled = has_mass(roof), of_modes = roof == RoofKind::coupled_modes;
   using Base = RoofSeries<roof, cubic, load_terms>;
   using Base::c, Base::here, Base::of;
 
  public:
   using Base::p_s, Base::p_y, Base::v_s, Base::v_y, Base::weight;
-  V speed;         // |M v| at the begin
-  V end_s, end_y;  // velocity at the step's end
+  V speed;          // |M v| at the begin
+  V law_factor[1];  // mu(|v|) / mu, there
+  V end_s, end_y;   // velocity at the step's end
 
   /// The roof as if the block's rate stayed what it is at the begin.
   HWY_INLINE ImplicitSeries(const LaneStates& states, Here lanes, const Ramped& first,
@@ -39,6 +41,10 @@ class ImplicitSeries : public RoofSeries<roof, cubic, roof == RoofKind::rigid ? 
     const LaneMotion<Rows>& m = states.motion;
     speed = hn::Sqrt(here(m.v_s) * here(m.v_s) +
                      (here(c.aspect) * here(m.v_y)) * (here(c.aspect) * here(m.v_y)));
+    if constexpr (by_speed) {
+      const SpeedLaw law(c, here);
+      law_factor[0] = law.Factor(law.Decay(Length(v_s[0], v_y[0])));
+    }
     v_s[2] = v_s[3] = v_y[2] = v_y[3] = hn::Zero(Doubles());
     this->template Term<0>();
     BeginRate();
@@ -67,8 +73,8 @@ class ImplicitSeries : public RoofSeries<roof, cubic, roof == RoofKind::rigid ? 
     const Velocity known{v_s[0] + f * sum_s, v_y[0] + f * sum_y};
     const V tau = Number(S::at[i]) * f, n = Polynomial(weight, tau);
     V sigma = stage_sigma[i], lambda = stage_lambda[i];
-    const Velocity v = Braked<anew>(known, t, Polynomial(p_s, tau), Polynomial(p_y, tau), n,
-                                    negligible, sigma, lambda);
+    const Velocity v = Braked<anew, by_speed>(known, t, Polynomial(p_s, tau), Polynomial(p_y, tau),
+                                              n, negligible, sigma, lambda);
     const auto set = [&](V& value, V next) GLISSADE_INLINE_LAMBDA {
       value = anew ? next : hn::IfThenElse(again, next, value);
     };
@@ -160,7 +166,8 @@ class ImplicitSeries : public RoofSeries<roof, cubic, roof == RoofKind::rigid ? 
   /// sigma is the root of |M v| / sigma = 1, by Newton's method on its inverse (ImplicitEllipse);
   /// lambda = t n follows.
   /// @param end_sigma,end_lambda if not `anew`, to begin with
-  template <bool anew>
+  /// @tparam with_law of friction by speed; else that of a slow block
+  template <bool anew, bool with_law>
   HWY_INLINE Velocity Braked(Velocity known, V length, V load_s, V load_y, V n, V small,
                              V& end_sigma, V& end_lambda) const {
     const V zero = hn::Zero(Doubles()), one = Number(1.0);
@@ -202,14 +209,18 @@ class ImplicitSeries : public RoofSeries<roof, cubic, roof == RoofKind::rigid ? 
       const V weight_s = q_s * q_s, weight_y = forced * forced, weights = weight_s + weight_y;
       const V size = hn::Sqrt(weights);
       end_lambda = first_lambda;
+      if constexpr (with_law) {
+        const SpeedLaw law(c, here);
+        end_lambda = first_lambda * law.Factor(law.Decay(Length(known.s, known.y)));
+      }
       if constexpr (coupled) {
         // To the first order in what is not the same in both directions.
         end_sigma =
-            hn::Max(zero, hn::Div(size * weights - first_lambda * (weight_s + square * weight_y),
+            hn::Max(zero, hn::Div(size * weights - end_lambda * (weight_s + square * weight_y),
                                   a_s * weight_s + a_y * weight_y));
       } else {
-        end_sigma = hn::Max(zero, size - first_lambda);  // exact on a circle
-        inexact = hn::And(slides, hn::Ne(aspect, one));
+        end_sigma = hn::Max(zero, size - end_lambda);  // exact on a circle
+        if constexpr (!with_law) inexact = hn::And(slides, hn::Ne(aspect, one));
       }
     }
     constexpr int iterations = 12;
@@ -223,6 +234,7 @@ class ImplicitSeries : public RoofSeries<roof, cubic, roof == RoofKind::rigid ? 
       V slope = a_s * (square_s * inverse_s) + a_y * (square_y * inverse_y);
       // Change of lambda, and with sigma; what is left of it falls by `feedback` squared.
       V follows = zero, lambda_slope = zero, feedback = zero;
+      [[maybe_unused]] V law_bends = zero;  // half the second derivative of lambda
       if constexpr (coupled) {
         const V per_lambda = square_s * inverse_s + square * (square_y * inverse_y);
         V coupled_x = coupling * x_s, per_d = coupled_x * inverse_s;
@@ -232,17 +244,27 @@ class ImplicitSeries : public RoofSeries<roof, cubic, roof == RoofKind::rigid ? 
           coupled_x = coupled_x + coupled_y;
         }
         feedback = of_modes ? per_d * end_sigma : coupled_x * (end_sigma * inverse_s);
-        follows = (hn::Max(zero, lambda_0 - coupled_x * end_sigma) - end_lambda) * (one + feedback);
-        lambda_slope =
-            (zero - (of_modes ? per_d * end_lambda : coupled_x * (inverse_s * end_lambda))) *
-            (one + feedback);
+        const V slow = hn::Max(zero, lambda_0 - coupled_x * end_sigma);
+        V target = slow, target_slope = zero - (of_modes ? per_d * end_lambda
+                                                         : coupled_x * (inverse_s * end_lambda));
+        if constexpr (with_law)
+          FollowLaw(x_s, x_y, end_sigma, slow, target, target_slope, feedback, law_bends);
+        follows = (target - end_lambda) * (one + feedback);
+        lambda_slope = target_slope * (one + feedback);
+        gain = gain - (size2 + Number(3.0)) * (per_lambda * follows);
+        slope = slope + per_lambda * lambda_slope;
+      } else if constexpr (with_law) {
+        const V per_lambda = square_s * inverse_s + square * (square_y * inverse_y);
+        V target = first_lambda;
+        FollowLaw(x_s, x_y, end_sigma, first_lambda, target, lambda_slope, feedback, law_bends);
+        follows = target - end_lambda;
         gain = gain - (size2 + Number(3.0)) * (per_lambda * follows);
         slope = slope + per_lambda * lambda_slope;
       }
       const V moves = hn::Div(gain, (size2 + Number(3.0)) * slope);
       const V next = hn::Max(zero, end_sigma + moves);
       end_sigma = hn::IfThenElse(inexact, next, end_sigma);
-      if constexpr (coupled)
+      if constexpr (coupled || with_law)
         end_lambda = hn::IfThenElse(
             inexact, hn::Max(zero, end_lambda + (follows + lambda_slope * moves)), end_lambda);
       // What is left falls with the square of the change, and of what differs by direction.
@@ -251,6 +273,10 @@ class ImplicitSeries : public RoofSeries<roof, cubic, roof == RoofKind::rigid ? 
       Mask goes_on = hn::Gt(left * left, (small * next) * (both * both));
       if constexpr (coupled)
         goes_on = hn::Or(goes_on, hn::Gt((feedback * feedback) * hn::Abs(follows), small));
+      if constexpr (with_law) goes_on = hn::Or(goes_on, hn::Gt(law_bends * (moves * moves), small));
+      // On an ellipse x turns too, which FollowLaw leaves out.
+      if constexpr (with_law && !coupled)
+        goes_on = hn::Or(goes_on, hn::And(hn::Ne(aspect, one), hn::Gt(hn::Abs(follows), small)));
       inexact = hn::And(inexact, goes_on);
     }
     const V d_s = a_s * end_sigma + end_lambda, d_y = a_y * end_sigma + end_lambda * square;
@@ -263,18 +289,40 @@ class ImplicitSeries : public RoofSeries<roof, cubic, roof == RoofKind::rigid ? 
     return {v_1, v_2};
   }
 
+  /// Of lambda = `slow` times the law's factor at the speed of sigma x, by sigma.
+  HWY_INLINE void FollowLaw(V x_s, V x_y, V sigma, V slow, V& target, V& target_slope, V& feedback,
+                            V& bends) const {
+    const SpeedLaw law(c, here);
+    V m_s = x_s, m_y = x_y;  // M v / sigma
+    if constexpr (of_modes) {
+      m_s = here(of.turn_c) * x_s - here(of.turn_s) * x_y;
+      m_y = here(of.turn_s) * x_s + here(of.turn_c) * x_y;
+    }
+    const V per_sigma = Length(m_s, here(c.per_aspect) * m_y);
+    const V decay = law.Decay(per_sigma * sigma), factor = law.Factor(decay);
+    const V rise = law.Slope(decay) * per_sigma;
+    target = factor * slow;
+    target_slope = factor * target_slope + rise * slow;
+    feedback = factor * feedback;
+    bends = (Number(0.5) * hn::Abs(rise)) * (law.rate * per_sigma) * slow;
+  }
+
   /// The rate at the begin; of a block at rest, that with which it starts.
   HWY_INLINE void BeginRate() {
     const V zero = hn::Zero(Doubles()), one = Number(1.0);
     const Mask rests = hn::Eq(speed, zero);
     const V per_speed = hn::Div(one, hn::IfThenElse(rests, one, speed));
-    const V n = hn::Max(weight[0], zero);
+    const auto times_law = [&](V value) GLISSADE_INLINE_LAMBDA {
+      if constexpr (by_speed) value = value * law_factor[0];
+      return value;
+    };
+    const V n = times_law(hn::Max(weight[0], zero));
     const V e_s = v_s[0] * per_speed, e_y = (here(c.aspect) * v_y[0]) * per_speed;
     V s = p_s[0] - n * e_s, brakes = n, y;
     if constexpr (of_modes) {
       const Mask holds = hn::Gt(weight[0], zero);
-      const V along = hn::IfThenElseZero(holds, here(c.mu) * here(c.rho_sin_cos)),
-              across = hn::IfThenElseZero(holds, here(c.mu) * here(of.rho_sin));
+      const V along = times_law(hn::IfThenElseZero(holds, here(c.mu) * here(c.rho_sin_cos))),
+              across = times_law(hn::IfThenElseZero(holds, here(c.mu) * here(of.rho_sin)));
       const V m_y = here(c.aspect) * e_y, r_y = p_y[0] - n * m_y;
       const auto solve = [&](V a_ss, V a_sy, V a_ys, V a_yy, V r_s, V r_y_) GLISSADE_INLINE_LAMBDA {
         const V per = hn::Div(one, a_ss * a_yy - a_sy * a_ys);
@@ -289,15 +337,15 @@ class ImplicitSeries : public RoofSeries<roof, cubic, roof == RoofKind::rigid ? 
       y = rate.y;
     } else if constexpr (coupled) {
       const V coupling =
-          hn::IfThenElseZero(hn::Gt(weight[0], zero), here(c.mu) * here(c.rho_sin_cos));
+          times_law(hn::IfThenElseZero(hn::Gt(weight[0], zero), here(c.mu) * here(c.rho_sin_cos)));
       s = hn::Div(s, here(c.kappa) - coupling * e_s);
       brakes = hn::Max(n - coupling * s, zero);
     }
     if constexpr (!of_modes) y = p_y[0] - brakes * (here(c.aspect) * e_y);
     if constexpr (is_one_mass_with_block(roof)) y = y * here(c.per_kappa_y);
     if (HWY_UNLIKELY(!hn::AllFalse(Doubles(), rests))) {
-      const Velocity start = Braked<true>({zero, zero}, one, p_s[0], p_y[0], weight[0], zero,
-                                          stage_sigma[0], stage_lambda[0]);
+      const Velocity start = Braked<true, false>({zero, zero}, one, p_s[0], p_y[0], weight[0], zero,
+                                                 stage_sigma[0], stage_lambda[0]);
       s = hn::IfThenElse(rests, start.s, s);
       y = hn::IfThenElse(rests, start.y, y);
     }

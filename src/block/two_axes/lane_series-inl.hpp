@@ -9,80 +9,13 @@
 #define GLISSADE_TWO_AXES_LANE_SERIES_INL
 #endif
 
-#include <hwy/highway.h>
-
 #include <type_traits>
 
 #include "block/full_model/stop.hpp"
-#include "lane_states.hpp"
-
-#ifndef GLISSADE_INLINE_LAMBDA
-#define GLISSADE_INLINE_LAMBDA __attribute__((always_inline))
-#endif
+#include "lane_speed_law-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace glissade::block_detail::two_axes::HWY_NAMESPACE {
-
-namespace hn = hwy::HWY_NAMESPACE;
-using Doubles = HWY_CAPPED(double, 8);
-using Indices = hn::RebindToSigned<Doubles>;
-using V = hn::Vec<Doubles>;
-using Mask = hn::Mask<Doubles>;
-
-constexpr int order = 6;        // of the velocity
-constexpr int roof_order = 10;  // of the building
-static_assert(roof_order == row_terms);
-
-inline V Number(double value) { return hn::Set(Doubles(), value); }
-
-using Rows = LaneStates::Lanes;
-
-HWY_INLINE std::uint64_t Bits(Mask mask) {
-  std::uint8_t bits[8] = {};
-  hn::StoreMaskBits(Doubles(), mask, bits);
-  return bits[0];
-}
-
-/// The lanes of a vector: their numbers of a row, read from memory where they are used.
-struct Here {
-  std::size_t first;
-  HWY_INLINE V operator()(const Rows& row) const { return Row(row); }
-  HWY_INLINE V Row(const double* row) const { return hn::Load(Doubles(), row + first); }
-};
-
-/// Loops over orders are unrolled: each order is a constant, and its series
-/// stay in registers.
-template <int k>
-using Order = std::integral_constant<int, k>;
-template <int begin, int end, class What>
-HWY_INLINE void ForOrders(const What& what) {
-  if constexpr (begin < end) {
-    what(Order<begin>());
-    ForOrders<begin + 1, end>(what);
-  }
-}
-
-/// In pairs of terms: half as many operations wait for each other.
-template <int k = 0, int n>
-HWY_INLINE V Polynomial(const V (&c)[n], V t) {
-  if constexpr (k + 1 == n)
-    return c[k];
-  else if constexpr (k + 2 == n)
-    return c[k + 1] * t + c[k];
-  else
-    return Polynomial<k + 2>(c, t) * (t * t) + (c[k + 1] * t + c[k]);
-}
-
-constexpr double inverse[] = {0.0,     1.0,     1.0 / 2, 1.0 / 3, 1.0 / 4, 1.0 / 5,
-                              1.0 / 6, 1.0 / 7, 1.0 / 8, 1.0 / 9, 1.0 / 10};
-
-/// The integral of a power series from zero to t.
-template <int n>
-HWY_INLINE V Integral(const V (&c)[n], V t) {
-  V terms[n];
-  ForOrders<0, n>([&](auto k) GLISSADE_INLINE_LAMBDA { terms[k] = c[k] * Number(inverse[k + 1]); });
-  return Polynomial(terms, t) * t;
-}
 
 /// A quantity linear over the rest of the interval.
 struct Ramped {
@@ -324,14 +257,15 @@ class RoofSeries {
 /// On a roof that the block accelerates n and d depend on each other (kappa, rho_sin_cos in
 /// Constants, A in ModeConstants). In every sum the newest term is added last: the lanes wait for
 /// it. There are few series, so that most of their terms stay in registers.
-template <RoofKind roof>
+template <RoofKind roof, Friction friction>
 class StepSeries : public RoofSeries<roof, order + 1, order> {
   using Base = RoofSeries<roof, order + 1, order>;
   using Base::c, Base::here, Base::of;
 
  public:
   using Base::p_s, Base::p_y, Base::v_s, Base::v_y, Base::weight;
-  V speed[order];  // u
+  V speed[order];       // u
+  V law_factor[order];  // mu(|v|) / mu
 
   HWY_INLINE StepSeries(const LaneStates& states, Here lanes, const Ramped& first,
                         const Ramped& second, const Ramped& vertical, const TableRow& row, V length)
@@ -342,9 +276,11 @@ class StepSeries : public RoofSeries<roof, order + 1, order> {
     e_s = v_s[0] * per_speed;
     w_y = aspect2 * v_y[0];
     e_y = w_y * per_speed;
+    if constexpr (by_speed) BeginLaw();
     ForOrders<0, order>([&](auto k) GLISSADE_INLINE_LAMBDA {
       this->template Term<k>();
       if constexpr (k > 0) Speed<k>();
+      if constexpr (k > 0 && by_speed) Law<k>();
       Rate<k>();
     });
     if constexpr (has_state(roof))
@@ -353,10 +289,14 @@ class StepSeries : public RoofSeries<roof, order + 1, order> {
   }
 
  private:
+  static constexpr bool by_speed = friction == Friction::by_speed;
   V aspect2, per_speed, per_kappa;
   V b_ss, b_sy, b_ys, b_yy;  // of modes: (A - friction's part)^-1
   V w_y, e_s, e_y;           // the first term of M M v across, and of M M v / u
   V g[order], g2[order];     // n / u, and times aspect^2
+  V size[order], per_size;   // |v|
+  V decay[order];            // SpeedLaw::Decay
+  V normal[order];           // n without the law's factor
 
   /// Half the term k of M v . M v - u u, without what is of the order k itself.
   template <int k>
@@ -384,26 +324,68 @@ class StepSeries : public RoofSeries<roof, order + 1, order> {
       speed[k] = (HalfOfSquares<k>() * per_speed + by_s) + by_y;
   }
 
+  HWY_INLINE void BeginLaw() {
+    const SpeedLaw law(c, here);
+    size[0] = hn::Sqrt(v_s[0] * v_s[0] + v_y[0] * v_y[0]);
+    per_size = hn::Div(Number(1.0), size[0]);
+    decay[0] = law.Decay(size[0]);
+    law_factor[0] = law.Factor(decay[0]);
+  }
+
+  /// |v| as u, and the law's decay w = exp(-a |v|) by w' = -a |v|' w.
+  template <int k>
+  HWY_INLINE void Law() {
+    const SpeedLaw law(c, here);
+    V square = v_s[0] * v_s[k] + v_y[0] * v_y[k];
+    ForOrders<1, k + 1>([&](auto j) GLISSADE_INLINE_LAMBDA {
+      square = square + (v_s[j] * v_s[k - j] + v_y[j] * v_y[k - j]);
+      if constexpr (j < k) square = square - size[j] * size[k - j];
+    });
+    size[k] = (Number(0.5) * square) * per_size;
+    V falls = hn::Zero(Doubles());
+    ForOrders<1, k + 1>([&](auto j) GLISSADE_INLINE_LAMBDA {
+      falls = falls + (Number(static_cast<double>(j)) * size[j]) * decay[k - j];
+    });
+    decay[k] = hn::Neg((law.rate * Number(inverse[k])) * falls);
+    law_factor[k] = hn::Neg(law.excess * decay[k]);
+  }
+
+  /// The term k of n times the law's factor, as far as it does not depend on the rate d_k.
+  template <int k>
+  HWY_INLINE V Normal() const {
+    if constexpr (!by_speed) return weight[k];
+    V n = law_factor[0] * weight[k];
+    ForOrders<0, k>([&](auto j) GLISSADE_INLINE_LAMBDA { n = n + normal[j] * law_factor[k - j]; });
+    return n;
+  }
+  HWY_INLINE V TimesLaw(V value) const {
+    if constexpr (by_speed) return value * law_factor[0];
+    return value;
+  }
+
   template <int k>
   HWY_INLINE void Rate() {
     // Sums of g times v and u.
-    V s = p_s[k], y = p_y[k], n = weight[k];
+    V s = p_s[k], y = p_y[k], n = Normal<k>();
     const auto subtract = [&](auto j) GLISSADE_INLINE_LAMBDA {
       s = s - g[k - j] * v_s[j];
       y = y - g2[k - j] * v_y[j];
       n = n - g[k - j] * speed[j];
     };
     ForOrders<1, k + 1>(subtract);
+    if constexpr (by_speed) normal[k] = weight[k];
     V d_s, d_y;
     if constexpr (is_one_mass_with_block(roof)) {
-      const V coupling = here(c.mu) * here(c.rho_sin_cos);
+      const V lifts = here(c.mu) * here(c.rho_sin_cos), coupling = TimesLaw(lifts);
       if constexpr (k == 0) per_kappa = hn::Div(Number(1.0), here(c.kappa) - coupling * e_s);
       d_s = (s - n * e_s) * per_kappa;
       g[k] = (n - coupling * d_s) * per_speed;
       g2[k] = aspect2 * g[k];
       d_y = (y - g[k] * w_y) * here(c.per_kappa_y);
+      if constexpr (by_speed) normal[k] = weight[k] - lifts * d_s;
     } else if constexpr (roof == RoofKind::coupled_modes) {
-      const V along = here(c.mu) * here(c.rho_sin_cos), across = here(c.mu) * here(of.rho_sin);
+      const V lifts_s = here(c.mu) * here(c.rho_sin_cos), lifts_y = here(c.mu) * here(of.rho_sin);
+      const V along = TimesLaw(lifts_s), across = TimesLaw(lifts_y);
       if constexpr (k == 0) {
         const V a_ss = here(c.kappa) - e_s * along, a_sy = here(of.kappa_sy) - e_s * across,
                 a_ys = here(of.kappa_sy) - e_y * along, a_yy = here(of.kappa_y) - e_y * across;
@@ -418,6 +400,7 @@ class StepSeries : public RoofSeries<roof, order + 1, order> {
       d_y = b_ys * r_s + b_yy * r_y;
       g[k] = (n - (along * d_s + across * d_y)) * per_speed;
       g2[k] = aspect2 * g[k];
+      if constexpr (by_speed) normal[k] = weight[k] - (lifts_s * d_s + lifts_y * d_y);
     } else {
       g[k] = n * per_speed;
       g2[k] = aspect2 * g[k];
@@ -430,8 +413,8 @@ class StepSeries : public RoofSeries<roof, order + 1, order> {
 };
 
 /// How far a step may go, as a fraction of what is left of the interval.
-template <RoofKind roof>
-HWY_INLINE V StepFraction(const StepSeries<roof>& z, V longest, V allowed) {
+template <class Series>
+HWY_INLINE V StepFraction(const Series& z, V longest, V allowed) {
   const V one = Number(1.0), half = Number(0.5);
   const V error = hn::Abs(z.v_s[order]) + hn::Abs(z.v_y[order]);
   V f = hn::Min(longest, hn::Div(Number(3.0) * z.speed[0], z.weight[0]));

@@ -13,12 +13,13 @@
 HWY_BEFORE_NAMESPACE();
 namespace glissade::block_detail::two_axes::HWY_NAMESPACE {
 
-/// No |value| of the series up to t is larger.
+/// No |value| of the series up to t is larger: that at the ends, and how far it leaves its chord.
 template <int n>
 HWY_INLINE V Bound(const V (&c)[n], V t) {
-  V sizes[n];
-  ForOrders<0, n>([&](auto k) GLISSADE_INLINE_LAMBDA { sizes[k] = hn::Abs(c[k]); });
-  return Polynomial(sizes, t);
+  V sizes[n - 2];
+  ForOrders<0, n - 2>([&](auto k) GLISSADE_INLINE_LAMBDA { sizes[k] = hn::Abs(c[k + 2]); });
+  sizes[0] = Number(0.25) * sizes[0];
+  return hn::Max(hn::Abs(c[0]), hn::Abs(Polynomial(c, t))) + (t * t) * Polynomial(sizes, t);
 }
 
 /// Keeps the series of the lanes whose base shear may exceed what it was in a step over the

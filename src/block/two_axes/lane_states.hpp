@@ -23,6 +23,9 @@ constexpr bool is_one_mass_with_block(RoofKind roof) {
 /// Whether the building's state goes with the block: else the roof is known beforehand.
 constexpr bool has_state(RoofKind roof) { return roof == RoofKind::building || has_mass(roof); }
 
+/// Whether friction depends on the block's speed.
+enum class Friction { coulomb, by_speed };
+
 /// Terms of the power series of a roof of modes over a sample interval (RestTable::rows).
 constexpr std::size_t row_terms = 10;
 
@@ -53,8 +56,9 @@ struct Constants {
   Number gravity, mu, tangent, cosine,
       cosine2;  ///< of the slope; cosine2 its square
   Number mu_at_rest;
-  Number c, s;                ///< cosine and sine of the azimuth
-  Number c_across, s_across;  ///< the same over the slope's cosine
+  Number fast_excess, speed_rate;  ///< FrictionLaw: fast over slow, less 1; per LaneMotion's speed
+  Number c, s;                     ///< cosine and sine of the azimuth
+  Number c_across, s_across;       ///< the same over the slope's cosine
   Number tolerance;
   Number no_speed;            ///< counts as none, over the largest so far
   Number aspect, per_aspect;  ///< of the friction: across over along, and its inverse
@@ -200,9 +204,12 @@ struct Stepped {
 };
 
 /// One step of every active lane.
-Stepped step(LaneStates& lanes, const GroundRows& ground, RoofKind roof, StepKind kind);
+Stepped step(LaneStates& lanes, const GroundRows& ground, RoofKind roof, Friction friction,
+             StepKind kind);
 /// The same on a roof that the block accelerates, compiled by itself.
 Stepped coupled_step(LaneStates& lanes, const GroundRows& ground, RoofKind roof, StepKind kind);
+/// The same with friction that depends on speed.
+Stepped by_speed_step(LaneStates& lanes, const GroundRows& ground, RoofKind roof, StepKind kind);
 /// The same on one that yields.
 Stepped yielding_step(LaneStates& lanes, const GroundRows& ground, StepKind kind);
 

@@ -70,13 +70,13 @@ HWY_INLINE LaneInterval LoadInterval(const LaneStates& lanes, const GroundRows& 
 
 /// Where the block stops within what is left of the interval by a path known in closed form
 /// (LaneHistory::stop).
-template <RoofKind roof, class Series>
+template <RoofKind roof, Friction friction, class Series>
 HWY_INLINE Mask Stops(const Series& z, const Constants<Rows>& c, const LaneMotion<Rows>& m,
                       Here here, V h) {
   const V zero = hn::Zero(Doubles());
   V p_s = z.p_s[0], p_y = here(c.per_aspect) * z.p_y[0], n = z.weight[0];
   V change = hn::Abs(z.p_s[1]) + hn::Abs(z.p_y[1]) + hn::Abs(z.weight[1]);
-  V anisotropy = zero;
+  V anisotropy = zero;  // what else is not constant
   if constexpr (has_mass(roof)) {
     p_s = p_s * here(c.per_kappa_y);
     p_y = p_y * here(c.per_kappa_y);
@@ -84,6 +84,8 @@ HWY_INLINE Mask Stops(const Series& z, const Constants<Rows>& c, const LaneMotio
     change = change * here(c.per_kappa_y);
     anisotropy = n * here(c.anisotropy);
   }
+  if constexpr (friction == Friction::by_speed)
+    anisotropy = anisotropy + n * hn::Abs(z.law_factor[0] - Number(1.0));
   const V v_y = here(c.per_aspect) * here(m.v_y);
   const V margin = n * n - (p_s * p_s + p_y * p_y);
   const V q = n * hn::Sqrt(here(m.v_s) * here(m.v_s) + v_y * v_y) + (p_s * here(m.v_s) + p_y * v_y);
@@ -290,12 +292,12 @@ HWY_INLINE auto SpringEventsOf([[maybe_unused]] const LaneStates& lanes, [[maybe
 }
 
 /// One step of neighbouring lanes by a Taylor series; see Stepped.
-template <RoofKind roof>
+template <RoofKind roof, Friction friction>
 HWY_INLINE Stepped TaylorStep(LaneStates& lanes, const GroundRows& ground, Here here) {
   const LaneMotion<Rows>& m = lanes.motion;
   const Constants<Rows>& c = lanes.constants;
   LaneInterval i = LoadInterval(lanes, ground, here);
-  StepSeries<roof> z(lanes, here, i.ground_1, i.ground_2, i.up, i.row, i.h);
+  StepSeries<roof, friction> z(lanes, here, i.ground_1, i.ground_2, i.up, i.row, i.h);
 
   LaneMotion<V> to{};
   to.fastest = hn::Max(here(m.fastest), z.speed[0]);
@@ -314,7 +316,7 @@ HWY_INLINE Stepped TaylorStep(LaneStates& lanes, const GroundRows& ground, Here 
   const V least = (Number(least_weight) * here(c.mu)) * (here(c.gravity) * i.h);
   const Mask stays = hn::Gt(hn::Min(z.weight[0], z.weight[0] + z.weight[1]), least);
   const Mask smooth = hn::AndNot(slow, hn::And(straight, stays));
-  const Mask event = hn::Or(hn::Not(i.before), Stops<roof>(z, c, m, here, i.h));
+  const Mask event = hn::Or(hn::Not(i.before), Stops<roof, friction>(z, c, m, here, i.h));
   const Mask goes = hn::AndNot(event, smooth);
   Stepped stepped;
   Advance<roof>(lanes, ground, here, i, z, z.v_s, z.v_y, f, goes, to, stepped);
@@ -325,9 +327,9 @@ HWY_INLINE Stepped TaylorStep(LaneStates& lanes, const GroundRows& ground, Here 
 }
 
 /// The fraction of the interval's rest to try.
-template <RoofKind roof>
-HWY_INLINE V TrialFraction(const ImplicitSeries<roof>& z, const LaneStates& lanes, Here here, V h,
-                           Mask& lifted) {
+template <RoofKind roof, Friction friction>
+HWY_INLINE V TrialFraction(const ImplicitSeries<roof, friction>& z, const LaneStates& lanes,
+                           Here here, V h, Mask& lifted) {
   const Constants<Rows>& c = lanes.constants;
   const LaneMotion<Rows>& m = lanes.motion;
   const V longest = LongestFraction<roof>(lanes, here, h);
@@ -338,14 +340,22 @@ HWY_INLINE V TrialFraction(const ImplicitSeries<roof>& z, const LaneStates& lane
   const Mask unknown = hn::And(hn::And(moves, holds), hn::Eq(here(m.trial), Number(never)));
   f = hn::IfThenElse(unknown, hn::Min(longest, hn::Div(z.speed, z.weight[0])), f);
 
+  if constexpr (friction == Friction::by_speed) {
+    // Friction that falls with speed: a stage has one solution.
+    const V falls = hn::Max(zero, hn::Neg(here(c.fast_excess)) * here(c.speed_rate)) * z.weight[0];
+    f = hn::Min(f, hn::Div(Number(2.0), hn::Max(falls, Number(1e-6))));
+  }
+
   // A stage of what comes after a reversal would not see what came before.
   const V last_s = Polynomial(z.p_s, longest), last_y = Polynomial(z.p_y, longest),
           last_n = Polynomial(z.weight, longest);
   const V per_speed = hn::Div(here(c.per_kappa_y), hn::IfThenElse(moves, speed, one));
-  const V first_brakes = per_speed * (hn::Max(z.weight[0], zero) * z.speed -
+  V most = z.speed;  // of friction, over that of slow sliding, times the speed
+  if constexpr (friction == Friction::by_speed) most = most * hn::Max(one, z.law_factor[0]);
+  const V first_brakes = per_speed * (hn::Max(z.weight[0], zero) * most -
                                       (z.p_s[0] * here(m.v_s) + z.p_y[0] * here(m.v_y)));
   const V last_brakes =
-      per_speed * (hn::Max(last_n, zero) * z.speed - (last_s * here(m.v_s) + last_y * here(m.v_y)));
+      per_speed * (hn::Max(last_n, zero) * most - (last_s * here(m.v_s) + last_y * here(m.v_y)));
   const V growth = hn::Max(zero, last_brakes - first_brakes);
   const V root = hn::Sqrt(first_brakes * first_brakes + Number(2.0) * growth * speed);
   const Mask falls = hn::Gt(first_brakes, zero), will_fall = hn::Gt(growth, zero);
@@ -383,7 +393,7 @@ HWY_INLINE V TrialFraction(const ImplicitSeries<roof>& z, const LaneStates& lane
 }
 
 /// One step of neighbouring lanes by SDIRK4; see Stepped.
-template <RoofKind roof>
+template <RoofKind roof, Friction friction>
 class ImplicitStep {
  public:
   HWY_INLINE ImplicitStep(const LaneStates& lanes, const GroundRows& ground, std::size_t first)
@@ -401,7 +411,7 @@ class ImplicitStep {
                         hn::Le(z.p_s[0] * here(m.v_s) + z.p_y[0] * here(m.v_y), zero)));
     const Mask may_end = hn::Eq(here(m.forced), zero);
     event = hn::Or(hn::Not(i.before),
-                   hn::And(may_end, hn::Or(slowest, Stops<roof>(z, c, m, here, i.h))));
+                   hn::And(may_end, hn::Or(slowest, Stops<roof, friction>(z, c, m, here, i.h))));
     f = TrialFraction(z, lanes, here, i.h, lifted);
     constexpr double epsilons = 16.0 * std::numeric_limits<double>::epsilon();
     const V load = hn::Abs(z.p_s[0]) + hn::Abs(z.p_y[0]) + hn::Abs(z.weight[0]);
@@ -475,7 +485,7 @@ class ImplicitStep {
   Mask event, lifted;
 
  public:
-  ImplicitSeries<roof> z;
+  ImplicitSeries<roof, friction> z;
 };
 
 /// The lanes' bits of neighbouring lanes, as those of all.
@@ -496,19 +506,19 @@ HWY_INLINE void ForVectors(std::uint64_t active, const What& what) {
     if (((active >> first) & ((std::uint64_t{1} << n) - 1)) != 0) what(first);
 }
 
-template <RoofKind roof>
+template <RoofKind roof, Friction friction>
 Stepped TaylorSteps(LaneStates& lanes, const GroundRows& ground) {
   Stepped all;
   ForVectors(lanes.active, [&](std::size_t first) GLISSADE_INLINE_LAMBDA {
-    Add(TaylorStep<roof>(lanes, ground, {first}), first, lanes.active, all);
+    Add(TaylorStep<roof, friction>(lanes, ground, {first}), first, lanes.active, all);
   });
   return all;
 }
 
 /// A stage of one vector waits for the one before: those of all vectors are made in turn.
-template <RoofKind roof>
+template <RoofKind roof, Friction friction>
 Stepped ImplicitSteps(LaneStates& lanes, const GroundRows& ground) {
-  using Step = ImplicitStep<roof>;
+  using Step = ImplicitStep<roof, friction>;
   alignas(Step) unsigned char memory[LaneStates::count][sizeof(Step)];
   Step* steps[LaneStates::count];
   std::size_t firsts[LaneStates::count], count = 0;
@@ -538,10 +548,10 @@ Stepped ImplicitSteps(LaneStates& lanes, const GroundRows& ground) {
   return all;
 }
 
-template <RoofKind roof>
+template <RoofKind roof, Friction friction = Friction::coulomb>
 Stepped StepsOn(LaneStates& lanes, const GroundRows& ground, StepKind kind) {
-  return kind == StepKind::taylor ? TaylorSteps<roof>(lanes, ground)
-                                  : ImplicitSteps<roof>(lanes, ground);
+  return kind == StepKind::taylor ? TaylorSteps<roof, friction>(lanes, ground)
+                                  : ImplicitSteps<roof, friction>(lanes, ground);
 }
 
 }  // namespace glissade::block_detail::two_axes::HWY_NAMESPACE

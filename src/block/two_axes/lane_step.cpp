@@ -27,7 +27,9 @@ HWY_AFTER_NAMESPACE();
 namespace glissade::block_detail::two_axes {
 HWY_EXPORT(Step);
 
-Stepped step(LaneStates& lanes, const GroundRows& ground, RoofKind roof, StepKind kind) {
+Stepped step(LaneStates& lanes, const GroundRows& ground, RoofKind roof, Friction friction,
+             StepKind kind) {
+  if (friction == Friction::by_speed) return by_speed_step(lanes, ground, roof, kind);
   if (roof == RoofKind::yielding) return yielding_step(lanes, ground, kind);
   if (has_mass(roof)) return coupled_step(lanes, ground, roof, kind);
   return HWY_DYNAMIC_DISPATCH(Step)(lanes, ground, roof, kind);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
-#include <array>
 #include <bit>
+#include <map>
 #include <memory>
 #include <tuple>
 #include <utility>
@@ -20,12 +20,16 @@ namespace {
 
 using block_detail::DistanceCrossings;
 using block_detail::two_axes::Constants;
+using block_detail::two_axes::fits_lanes;
+using block_detail::two_axes::Friction;
+using block_detail::two_axes::friction_of;
 using block_detail::two_axes::GroundNodes;
 using block_detail::two_axes::GroundRows;
 using block_detail::two_axes::HistoryState;
 using block_detail::two_axes::LaneHistory;
 using block_detail::two_axes::LaneStates;
 using block_detail::two_axes::RestTable;
+using block_detail::two_axes::roof_of;
 using block_detail::two_axes::RoofKind;
 using block_detail::two_axes::StepKind;
 using block_detail::two_axes::Stepped;
@@ -199,12 +203,12 @@ struct OwnedLanes {
   }
 };
 
-/// The histories of one kind of roof.
+/// The histories of one kind of roof and of friction.
 template <class State>
 class Pool {
  public:
-  Pool(State& state, RoofKind roof, const Batch& batch)
-      : state_(state), roof_(roof), batch_(batch) {}
+  Pool(State& state, RoofKind roof, Friction friction, const Batch& batch)
+      : state_(state), roof_(roof), friction_(friction), batch_(batch) {}
 
   /// @param tasks those on one building are neighbours
   void run(std::span<const std::size_t> tasks) {
@@ -250,7 +254,8 @@ class Pool {
     const GroundRows ground{nodes.nodes.data(), static_cast<std::int64_t>(nodes.quiet), nodes.dt_s,
                             state_.ground.vertical != nullptr};
     LaneStates& lanes = owned.lanes;
-    const Stepped stepped = block_detail::two_axes::step(lanes, ground, roof_, owned.kind);
+    const Stepped stepped =
+        block_detail::two_axes::step(lanes, ground, roof_, friction_, owned.kind);
     const std::uint64_t too_long =
         owned.kind == StepKind::implicit ? owned.count(most_implicit_steps()) : 0;
     for_each(stepped.lifted, [&](std::size_t lane) { owned.owners[lane]->history.lifted(); });
@@ -276,7 +281,8 @@ class Pool {
       next->state.motion.forced = 1.0;
       other.waiting.push_back(std::move(next));
     });
-    for_each(too_long & lanes.active,
+    const std::uint64_t unsupported = too_long | (owned.of_springs ? stepped.lifted : 0);
+    for_each(unsupported & lanes.active,
              [&](std::size_t lane) { leave_to_reference(owned.take(lane)); });
   }
 
@@ -296,7 +302,8 @@ class Pool {
              LaneHistory::Next (LaneHistory::*to_next)(HistoryState&)) {
     const LaneHistory::Next found = (next->history.*to_next)(next->state);
     const bool is_too_long = next->implicit_steps > most_implicit_steps();
-    if (found == LaneHistory::Next::unsupported ||
+    const bool lifted_on_springs = roof_ == RoofKind::yielding && next->history.uplift();
+    if (found == LaneHistory::Next::unsupported || lifted_on_springs ||
         (found == LaneHistory::Next::slides && is_too_long))
       return leave_to_reference(std::move(next));
     if (found == LaneHistory::Next::slides) return implicit_.waiting.push_back(std::move(next));
@@ -311,6 +318,7 @@ class Pool {
 
   State& state_;
   RoofKind roof_;
+  Friction friction_;
   Batch batch_;
   std::span<const std::size_t> tasks_;
   std::size_t next_ = 0, underway_ = 0;
@@ -349,21 +357,19 @@ void TwoAxisLanes::slide(std::span<const TwoAxisScene> scenes, std::span<TwoAxis
     scenes = of_modes;
   }
   const Batch batch{scenes, peaks, thresholds_m, crossings};
-  std::array<std::vector<std::size_t>, 6> tasks;  // by roof
+  std::map<std::pair<RoofKind, Friction>, std::vector<std::size_t>> tasks;
   for (std::size_t k = 0; k < scenes.size(); ++k) {
-    require_finite_scene(scenes[k].building, scenes[k].block, scenes[k].factors);
-    if (block_detail::two_axes::fits_lanes(scenes[k], state_->ground))
-      tasks[static_cast<std::size_t>(block_detail::two_axes::roof_of(scenes[k]))].push_back(k);
+    const TwoAxisScene& s = scenes[k];
+    require_finite_scene(s.building, s.block, s.factors);
+    if (fits_lanes(s, state_->ground))
+      tasks[{roof_of(s), friction_of(s)}].push_back(k);
     else
       state_->by_reference(batch, k);
   }
-  for (const RoofKind roof : {RoofKind::rigid, RoofKind::building, RoofKind::modes,
-                              RoofKind::coupled, RoofKind::coupled_modes, RoofKind::yielding}) {
-    std::vector<std::size_t>& on_roof = tasks[static_cast<std::size_t>(roof)];
-    if (on_roof.empty()) continue;
-    std::ranges::stable_sort(on_roof, {},
+  for (auto& [kind, of_kind] : tasks) {
+    std::ranges::stable_sort(of_kind, {},
                              [&](std::size_t k) { return key_of(scenes[k].building); });
-    Pool(*state_, roof, batch).run(on_roof);
+    Pool(*state_, kind.first, kind.second, batch).run(of_kind);
   }
 }
 

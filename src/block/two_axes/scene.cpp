@@ -12,6 +12,7 @@ constexpr double longest_phase_in_lanes = 0.85;  // over a sample interval: an e
 constexpr double least_aspect = 0.5, most_aspect = 2.0;  // of the friction ellipse
 constexpr double least_friction = 1.02;  // over tan(slope): less stops the block too late
 constexpr double most_friction = 2.0;
+constexpr double largest_rate_s_per_m = 1000.0;  // beyond it friction is nearly a jump in speed
 constexpr double least_damping = 1e-3, most_damping = 0.5;
 
 double omega_of(const Mode& mode) {
@@ -42,12 +43,16 @@ bool gives_base_shear(const TwoAxisScene& scene) {
 
 }  // namespace
 
+Friction friction_of(const TwoAxisScene& scene) {
+  return scene.block.law.depends_on_speed() ? Friction::by_speed : Friction::coulomb;
+}
+
 RoofKind roof_of(const TwoAxisScene& scene) {
   const auto& [first, second] = scene.building.horizontal;
   if (first.rigid()) return RoofKind::rigid;
   if (yields(scene.building)) return RoofKind::yielding;
   const bool one_mass = first.is_one_mass() && second.is_one_mass();
-  if (scene.building.mass_ratio > 0.0)
+  if (scene.building.mass_ratio > 0.0 || (one_mass && friction_of(scene) == Friction::by_speed))
     return one_mass ? RoofKind::coupled : RoofKind::coupled_modes;
   return one_mass ? RoofKind::building : RoofKind::modes;
 }
@@ -55,11 +60,15 @@ RoofKind roof_of(const TwoAxisScene& scene) {
 bool fits_lanes(const TwoAxisScene& scene, const BuildingGround& ground) {
   const TwoAxisBlock& block = scene.block;
   const auto& [first, second] = scene.building.horizontal;
-  if (block.law.depends_on_speed()) return false;
+  const FrictionLaw& law = block.law;
+  if (law.depends_on_speed() && (yields(scene.building) || law.rate_s_per_m > largest_rate_s_per_m))
+    return false;
   const double aspect = block.friction.across / block.friction.along;
   if (!(aspect >= least_aspect && aspect <= most_aspect)) return false;
-  if (!(block.friction.along > least_friction * std::tan(block.slope_rad) &&
-        block.friction.along < most_friction))
+  const double slowest = law.depends_on_speed() ? law.least_factor() : 1.0,
+               fastest = law.depends_on_speed() ? law.largest_factor() : 1.0;
+  if (!(slowest * block.friction.along > least_friction * std::tan(block.slope_rad) &&
+        fastest * block.friction.along < most_friction))
     return false;
   if (first.rigid() != second.rigid()) return false;
   if (scene.base_shear && !gives_base_shear(scene)) return false;
@@ -148,6 +157,10 @@ SceneConstants constants_of(const TwoAxisScene& scene, double tolerance) {
   c.gravity = block.gravity_mps2;
   c.mu = block.friction.along;
   c.mu_at_rest = block.law.static_over_sliding * c.mu;
+  if (block.law.depends_on_speed()) {
+    c.fast_excess = block.law.fast_over_slow - 1.0;
+    c.speed_rate = block.law.rate_s_per_m * std::cos(block.slope_rad);
+  }
   c.tangent = std::tan(block.slope_rad);
   c.cosine = std::cos(block.slope_rad);
   c.cosine2 = c.cosine * c.cosine;

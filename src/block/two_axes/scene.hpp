@@ -7,9 +7,11 @@
 
 namespace glissade::block_detail::two_axes {
 
-/// Whether the lanes can take a history: friction that stops the block whatever its speed, a
+/// Whether the lanes can take a history: friction that stops the block at any speed, a
 /// building of periods that the ground's step resolves, a rigid vertical.
 bool fits_lanes(const TwoAxisScene& scene, const BuildingGround& ground);
+
+Friction friction_of(const TwoAxisScene& scene);
 
 RoofKind roof_of(const TwoAxisScene& scene);
 

@@ -34,17 +34,14 @@ bool oscillates(const StudyConfig& config, const Case& c) {
 }
 
 /// The function that computes the histories of a case.
-enum class KernelFunction { peak_slip, slide_coupled, peak_slip_two_axes, slide_on_building };
-constexpr const char* function_names[] = {"peak_slip", "slide_coupled", "peak_slip_two_axes",
-                                          "slide_on_building"};
+enum class KernelFunction { peak_slip, peak_slip_two_axes, slide_on_building };
+constexpr const char* function_names[] = {"peak_slip", "peak_slip_two_axes", "slide_on_building"};
 
 KernelFunction function_of(Kernel kernel, const StudyConfig& config, const Case& c) {
   if (kernel == Kernel::tables) return KernelFunction::peak_slip;
-  const bool has_events = c.yields() || !c.law.is_coulomb();
-  if (kernel == Kernel::coupled && has_events && config.building.is_one_mass())
-    return KernelFunction::slide_coupled;
   const bool shear_of_modes = config.base_shear && !config.building.is_one_mass();
-  return c.law.depends_on_speed() || shear_of_modes || oscillates(config, c)
+  const bool yields_by_speed = c.yields() && c.law.depends_on_speed();
+  return yields_by_speed || shear_of_modes || oscillates(config, c)
              ? KernelFunction::slide_on_building
              : KernelFunction::peak_slip_two_axes;
 }
@@ -77,7 +74,7 @@ double history_us(Kernel kernel, const StudyConfig& config) {
   if (kernel == Kernel::tables) return 7.0;
   const bool coupled_modes = !config.building.is_one_mass() && c.mass_ratio > 0.0;
   if (function_of(kernel, config, c) == KernelFunction::peak_slip_two_axes)
-    return coupled_modes ? 350.0 : 200.0;
+    return coupled_modes || c.yields() ? 350.0 : 200.0;
   return coupled_modes ? 7700.0 : 2000.0;
 }
 
@@ -93,10 +90,7 @@ std::string describe(Kernel kernel, const StudyConfig& config) {
     case Kernel::tables:
       return "one axis over tables of the roof's motion: exact events (" + functions + ")";
     case Kernel::coupled:
-      return "one axis, coupled building and array: " +
-             std::string(unusual == KernelFunction::slide_coupled ? "exact events ("
-                                                                  : "error-controlled (") +
-             functions + ")";
+      return "one axis, coupled building and array: error-controlled (" + functions + ")";
     case Kernel::full:
       break;
   }

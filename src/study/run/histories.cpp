@@ -7,7 +7,6 @@
 #include <map>
 #include <optional>
 
-#include "glissade/block/coupled.hpp"
 #include "glissade/block/tipping.hpp"
 #include "glissade/core/contract.hpp"
 #include "glissade/core/finite.hpp"
@@ -127,8 +126,7 @@ class TableHistories : public Histories {
 };
 
 /// Building and array coupled, on one axis or two; the building may yield, and friction have any
-/// law: in the lanes of two axes, of which the second may be at rest, but on one axis events that
-/// the lanes do not have.
+/// law: in the lanes of two axes, of which the second may be at rest.
 class CoupledHistories : public Histories {
  public:
   CoupledHistories(const Scene& scene, RoofStore& roofs, TwoAxisBatch& batch)
@@ -137,7 +135,6 @@ class CoupledHistories : public Histories {
         building_(
             biaxial_building(scene.c, scene.plan.config.building, scene.plan.target(scene.record))),
         block_(two_axis_block(scene.c)),
-        on_one_axis_(roofs.motion_under(scene.c)),
         batch_(batch) {
     if (scene.c.support != ArraySupport::isolated) {
       ground_.vertical = nullptr;
@@ -165,19 +162,16 @@ class CoupledHistories : public Histories {
   }
 
   void prepare(double level) override {
-    if (!is_by_events())
-      batch_.add(lanes_, {building_, block_, factors(level), scene_.plan.config.base_shear}, level,
-                 known_);
+    batch_.add(lanes_, {building_, block_, factors(level), scene_.plan.config.base_shear}, level,
+               known_);
   }
   bool is_ready(double level) const override {
-    if (is_by_events()) return true;
     const auto known = known_.find(level);
     return known != known_.end() && known->second.is_run;
   }
 
   History at(double level, std::span<Crossing> crossings, WorkCount& count) override {
     ++count.integrated;
-    if (is_by_events()) return by_events(level, crossings);
     if (!is_ready(level)) {
       prepare(level);
       batch_.run();
@@ -191,21 +185,6 @@ class CoupledHistories : public Histories {
  private:
   BuildingFactors factors(double level) const {
     return {{scene_.axis_factor(0, level), scene_.axis_factor(1, level)}, scene_.factor(level)};
-  }
-
-  bool is_by_events() const {
-    return scene_.plan.kernel.kernel == Kernel::coupled && building_.horizontal[0].is_one_mass() &&
-           (scene_.c.yields() || !scene_.c.law.is_coulomb());
-  }
-
-  History by_events(double level, std::span<Crossing> crossings) const {
-    const auto thresholds_m = crossings.empty() ? std::span<const double>() : scene_.thresholds_m();
-    const CoupledBuilding building{building_.horizontal[0][0].oscillator(), building_.mass_ratio,
-                                   building_.yielding[0]};
-    const MotionFactors along{factors(level).horizontal[0], factors(level).vertical};
-    const SlipResult slip =
-        slide_coupled(on_one_axis_, along, building, scene_.block, thresholds_m, crossings).slip;
-    return {.peak_displacement_m = slip.peak_displacement_m, .uplift = slip.uplift};
   }
 
   History history(const TwoAxisPeak& slip) const {
@@ -222,7 +201,6 @@ class CoupledHistories : public Histories {
   BuildingGround ground_;
   BiaxialBuilding building_;
   TwoAxisBlock block_;
-  GroundMotion on_one_axis_;
   std::shared_ptr<TwoAxisLanes> lanes_;
   TwoAxisBatch& batch_;
   std::map<double, TwoAxisRun> known_;  ///< by level

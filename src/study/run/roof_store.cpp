@@ -220,11 +220,6 @@ BuildingGround RoofStore::ground_under(const Case& c) {
   return result;
 }
 
-GroundMotion RoofStore::motion_under(const Case& c) {
-  return {plan_.motion(record_).dt_s, ground_motion(axis_motion(c.orientation, 0)),
-          vertical_motion(c)};
-}
-
 std::shared_ptr<TwoAxisLanes> RoofStore::two_axis_lanes(const BuildingGround& ground) {
   for (const auto& lanes : lanes_)
     if (lanes->ground() == ground) return lanes;

@@ -171,12 +171,40 @@ std::vector<TwoAxisScene> with_static_friction(std::vector<TwoAxisScene> scenes)
   return scenes;
 }
 
+/// Rising with speed and falling.
+std::vector<TwoAxisScene> with_friction_by_speed(std::vector<TwoAxisScene> scenes) {
+  constexpr double fast_over_slow[] = {1.5, 0.8, 1.2, 2.0, 0.6}, rate_s_per_m[] = {5.0, 20.0, 60.0};
+  for (std::size_t k = 0; k < scenes.size(); ++k) {
+    FrictionLaw& law = scenes[k].block.law;
+    law.fast_over_slow = fast_over_slow[k % 5];
+    law.rate_s_per_m = rate_s_per_m[k % 3];
+    if (k % 4 == 0) law.static_over_sliding = 1.1;
+    scenes[k].block.slope_rad *= 0.5;  // so that the least friction stops the block
+  }
+  return scenes;
+}
+
 /// Of every model that a kind of roof can have.
 std::vector<TwoAxisScene> scenes_of_all_models(Kind kind, std::size_t count, unsigned seed) {
   std::vector<TwoAxisScene> all = made_up_scenes(kind, count, seed);
   for (const TwoAxisScene& s : with_static_friction(made_up_scenes(kind, count, seed + 1)))
     all.push_back(s);
+  for (const TwoAxisScene& s : with_friction_by_speed(made_up_scenes(kind, count, seed + 2)))
+    all.push_back(s);
   return all;
+}
+
+TEST(peak_slip_two_axes, friction_by_speed_is_that_of_the_reference) {
+  for (const Kind kind : all_kinds) {
+    SCOPED_TRACE(static_cast<int>(kind));
+    for (const double tolerance : {1e-5, 1e-6, 1e-8}) {
+      const auto scenes = with_friction_by_speed(made_up_scenes(kind, 60, 45));
+      const std::vector<double> found = errors(ground_of(46), scenes, tolerance);
+      ASSERT_GT(found.size(), 30u);
+      EXPECT_LT(found[found.size() / 2], 2.0 * tolerance);
+      EXPECT_LT(found[found.size() - 2], 30.0 * tolerance);
+    }
+  }
 }
 
 // Slip is discontinuous where the block almost comes to rest: one scene may be another one.
@@ -281,8 +309,8 @@ TEST(peak_slip_two_axes, what_does_not_fit_the_lanes_is_the_reference) {
   std::vector<TwoAxisScene> scenes = made_up_scenes(Kind::coupled, 9, 10);
   for (TwoAxisScene& s : scenes) s.block.friction = {0.2, 0.2};
   scenes[0].block.friction.across = 0.09;
-  scenes[1].block.law = {1.0, 0.7, 20.0};
-  scenes[2].block.law = {1.0, 1.5, 20.0};
+  scenes[1].block.law = {1.0, 0.1, 20.0};
+  scenes[2].block.law = {1.0, 1.5, 2000.0};
   scenes[3].block.law = {1.0, 1.5, 20.0};
   scenes[3].building.yielding[1] = {2.0, 0.05};
   scenes[4].building.horizontal[1][0].period_s = 0.0;
@@ -430,6 +458,7 @@ TEST(peak_slip_two_axes, slip_scales_with_the_whole_acceleration_field_to_the_bi
       s.block.gravity_mps2 *= 4.0;
       for (double& factor : s.factors.horizontal) factor *= 4.0;
       s.factors.vertical *= 4.0;
+      s.block.law.rate_s_per_m *= 0.25;
       for (Yielding& spring : s.building.yielding) spring.yield_acceleration_mps2 *= 4.0;
     }
     const auto peaks = solve(ground_of(18), scenes), more = solve(ground_of(18), stronger);

@@ -10,10 +10,9 @@ namespace glissade {
 /// What computes the histories of a study.
 enum class Kernel {
   tables,   ///< peak_slip(): the roof's motion does not depend on the block, one axis
-  coupled,  ///< one axis, coupled building and array: peak_slip_two_axes() with one axis moved, or
-            ///< slide_coupled() where the building yields or friction is stronger at rest
+  coupled,  ///< one axis, coupled building and array: peak_slip_two_axes() with one axis moved
   full      ///< peak_slip_two_axes(), or slide_on_building() where it gives more: two axes, any
-        ///< friction law, and all that the others have
+            ///< friction law, and all that the others have
 };
 
 /// A kernel and why a study needs no cheaper one.

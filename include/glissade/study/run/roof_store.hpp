@@ -56,8 +56,6 @@ class RoofStore {
 
   /// What moves the building of a case under the record last used. Valid as `under` is.
   BuildingGround ground_under(const Case& c);
-  /// Its samples, along the first axis.
-  GroundMotion motion_under(const Case& c);
   /// Lanes on it, each once. They outlive the store's change to another record.
   std::shared_ptr<TwoAxisLanes> two_axis_lanes(const BuildingGround& ground);
 

@@ -114,13 +114,18 @@ double RoofAtRest::deviation(std::size_t axis, std::size_t node) const {
                        : free + std::abs(factor(axis)) * table_.deviation[axis][node / tile_nodes];
 }
 
-std::array<double, 2> RoofAtRest::acceleration(std::size_t node) const {
-  std::array<double, 2> a{};
+std::array<RoofAtRest::TileNodes, 2> RoofAtRest::accelerations(std::size_t node) const {
+  std::array<TileNodes, 2> a{};
   for (std::size_t n = 0; n < 2; ++n) {
-    if (!after_record_) a[n] = factor(n) * table_.a[n][node];
-    for (std::size_t k = 0; k < table_.free[n].size(); ++k) {
-      const FreeVibration& free = table_.free[n][k];
-      a[n] += free.acceleration(free.after(node - base_, free_[n][k]));
+    for (std::size_t i = 0; i < a[n].size() && !after_record_; ++i)
+      a[n][i] = factor(n) * table_.a[n][node + i];
+    for (const FreeVibration& free : table_.free[n]) {
+      const AxisState& from = free_[n][static_cast<std::size_t>(&free - table_.free[n].data())];
+      for (std::size_t i = 0; i < a[n].size(); i += 8) {
+        const AxisState state = free.after(node + i - base_, from);
+        for (std::size_t k = 0; k < 8; ++k)
+          a[n][i + k] += free.x_part()[k] * state.x + free.y_part()[k] * state.y;
+      }
     }
   }
   return a;
@@ -156,9 +161,8 @@ std::size_t RoofAtRest::tile_end(std::size_t node) const {
 std::size_t RoofAtRest::first_release(std::size_t from, std::size_t end) const {
   const Constants<double>& c = constants_;
   const double rounding = 1e-12 * c.gravity;
-  const double needed = (deviation(0, from) + deviation(1, from)) *
-                            (std::max(1.0, c.per_aspect) / c.cosine + c.mu_at_rest * c.tangent) +
-                        rounding;
+  const double needed =
+      (deviation(0, from) + deviation(1, from)) * reserve_per_acceleration(c) + rounding;
   RestMotion motion;
   motion.springs = roof_ == RoofKind::yielding;
   for (std::size_t i = from; i <= end; i += 8) {

@@ -31,8 +31,10 @@ class RoofAtRest {
   /// The block sticks from this node to `tile_end`.
   bool sticks_in_tile(std::size_t node) const;
   std::size_t tile_end(std::size_t node) const;
-  /// The roof's acceleration at a node, and its largest |value| by axis from there to `tile_end`.
-  std::array<double, 2> acceleration(std::size_t node) const;
+  /// The roof's acceleration by axis at the nodes from one on, a tile's at least.
+  using TileNodes = std::array<double, tile_nodes + 8>;
+  std::array<TileNodes, 2> accelerations(std::size_t node) const;
+  /// Its largest |value| by axis from a node to `tile_end`.
   std::array<double, 2> bound_in_tile(std::size_t node) const;
   /// By how much it leaves its chord in the tile of a node, at most.
   double deviation(std::size_t axis, std::size_t node) const;

@@ -172,35 +172,47 @@ void RoofPiece::read(std::span<const double, row_terms> row, double factor, doub
 }
 
 Load RoofPiece::load(double tau) const {
-  const Constants<double>& c = *constants_;
-  const double a_1 = sum(a_[0], terms_, tau), a_2 = sum(a_[1], terms_, tau);
-  const double fall = c.gravity + (w_ + tau * (w_end_ - w_)), along = c.c * a_1 + c.s * a_2;
-  return {{fall * c.tangent - along, c.s_across * a_1 - c.c_across * a_2},
-          fall + c.tangent * along};
+  return load_of(*constants_, {sum(a_[0], terms_, tau), sum(a_[1], terms_, tau)},
+                 w_ + tau * (w_end_ - w_));
 }
 
 double RoofPiece::deviation() const {
   double total = 0.0;
   for (std::size_t k = 2; k < static_cast<std::size_t>(terms_); ++k)
     total += std::abs(a_[0][k]) + std::abs(a_[1][k]);
-  return total * reserve_per_acceleration();
+  return total * reserve_per_acceleration(*constants_);
 }
 
 double RoofPiece::bend() const {
   double second = 0.0;  // |a''|
   for (std::size_t k = 2; k < static_cast<std::size_t>(terms_); ++k)
     second += static_cast<double>(k * (k - 1)) * (std::abs(a_[0][k]) + std::abs(a_[1][k]));
-  return 0.125 * second * reserve_per_acceleration();
+  return 0.125 * second * reserve_per_acceleration(*constants_);
+}
+
+namespace {
+
+/// No |value| up to t is larger: that at the ends, and how far the series leaves its chord.
+double bound_of(const Series& a, double t) {
+  double left = 0.0, power = t;
+  for (int k = 2; k < a.terms; ++k) left += (k == 2 ? 0.25 : 1.0) * std::abs(a.c[k]) * (power *= t);
+  return std::max(std::abs(a.c[0]), std::abs(a.at(t))) + left;
+}
+
+}  // namespace
+
+void raise_largest(double& most, const Series& a, double t) {
+  most = std::max({most, std::abs(a.c[0]), std::abs(a.at(t))});
+  if (bound_of(a, t) > most) most = std::max(most, largest(a, t));
+}
+
+double RoofPiece::bound(std::size_t axis, double tau) const {
+  return bound_of({a_[axis], terms_}, tau);
 }
 
 void RoofPiece::raise(std::array<double, 2>& most, double tau) const {
-  for (std::size_t n = 0; n < 2; ++n) {
-    Terms sizes;
-    std::transform(a_[n].begin(), a_[n].begin() + terms_, sizes.begin(),
-                   [](double c) { return std::abs(c); });
-    if (sum(sizes, terms_, tau) > most[n])
-      most[n] = std::max(most[n], largest(Series{a_[n], terms_}, tau));
-  }
+  if (most[0] == never) return;
+  for (std::size_t n = 0; n < 2; ++n) raise_largest(most[n], {a_[n], terms_}, tau);
 }
 
 void RoofPiece::move(HistoryState& state, double tau) const {

@@ -5,6 +5,7 @@
 #include <array>
 
 #include "block/contact/two_axis_contact.hpp"
+#include "block/polynomial/power_series.hpp"
 #include "block/two_axes/lane_states.hpp"
 #include "block/two_axes/roof/tables.hpp"
 
@@ -42,6 +43,8 @@ class RoofPiece {
   double deviation() const;
   /// The same on the chord over a part of the piece, over the square of that part's length.
   double bend() const;
+  /// Up to a fraction of the piece no |acceleration| of the roof is larger.
+  double bound(std::size_t axis, double tau) const;
   /// Raises the largest |acceleration| by axis to that of the roof up to a fraction of the piece.
   void raise(std::array<double, 2>& largest, double tau) const;
   /// The first that a yielding spring does: where, as a fraction of the piece, or never.
@@ -67,10 +70,6 @@ class RoofPiece {
                const SpringMotion<double>& springs);
   void respond_on_modes(const RoofState& state, const BlockVelocity& block_velocity);
   void read(std::span<const double, row_terms> row, double factor, double left, Terms& a) const;
-  double reserve_per_acceleration() const {
-    const Constants<double>& c = *constants_;
-    return std::max(1.0, c.per_aspect) / c.cosine + c.mu_at_rest * c.tangent;
-  }
 
   const SceneConstants* constants_;
   RoofKind roof_;
@@ -83,6 +82,20 @@ class RoofPiece {
   std::array<double, 2> ground_, ground_end_;
   double w_, w_end_;
 };
+
+/// Under accelerations of the roof by the building's axes, and the vertical.
+inline Load load_of(const Constants<double>& c, const std::array<double, 2>& a, double w) {
+  const double fall = c.gravity + w, along = c.c * a[0] + c.s * a[1];
+  return {{fall * c.tangent - along, c.s_across * a[0] - c.c_across * a[1]},
+          fall + c.tangent * along};
+}
+/// By how much friction_reserve() may be less, by an acceleration of the roof along an axis.
+inline double reserve_per_acceleration(const Constants<double>& c) {
+  return std::max(1.0, c.per_aspect) / c.cosine + c.mu_at_rest * c.tangent;
+}
+
+/// To the largest |value| of a series up to t.
+void raise_largest(double& most, const Series& series, double t);
 
 /// Of a block at rest under a load: how much more friction could hold. Negative where it slides:
 /// without a drive it does not, even lifted off.
