@@ -179,13 +179,111 @@ TEST_F(SuiteSelect, mistakes_are_refused) {
                  {"4 records are required", "1 of an event allows 3"});
 }
 
-TEST_F(SuiteSelect, simulated_motions_are_not_written_into_a_suite_file) {
+TEST_F(SuiteSelect, simulated_motions_are_written_as_a_recipe_of_the_selected) {
   const std::string out = folder_.path("out.toml").string();
-  expect_refused(
+  const Finished child =
       run_program({"suite", "select", GLISSADE_SOURCE_DIR "/suites/synthetic_level0.toml",
-                   "--level", "0", "--count", "3", "--out", out}),
-      {"synthetic_level0.toml", "[[record]]"});
-  EXPECT_FALSE(std::filesystem::exists(out));
+                   "--level", "0", "--count", "3", "--out", out});
+  EXPECT_EQ(child.status, 0) << child.err;
+  const Finished shown = run_program({"suite", "show", out});
+  EXPECT_EQ(shown.status, 0) << shown.err;
+  EXPECT_THAT(shown.out, states("nearest", "level0_2"));
+}
+
+const std::vector<std::string> an_earthquake = {"--magnitude", "7",   "--distance-km", "12",
+                                                "--vs30-mps",  "400", "--period-s",    "0.5",
+                                                "--sa-g",      "0.8"};
+
+/// The cells of the row of a period.
+std::vector<std::string> row_at(const std::string& csv, const std::string& period) {
+  for (const std::string& line : lines_of(csv))
+    if (line.starts_with(period + ",")) return cells_of(line);
+  return {};
+}
+
+TEST_F(SuiteSelect, target_prints_the_conditional_spectrum_as_csv) {
+  const Finished child = run_program(with({"suite", "target"}, an_earthquake));
+  EXPECT_EQ(child.status, 0) << child.err;
+  EXPECT_THAT(child.out, states("Sa(0.5 s) = 0.8 g", "M 7", "R_JB 12 km", "epsilon",
+                                "period_s,predicted_median_sa_g,predicted_sigma,correlation,"
+                                "median_sa_g,sigma,p2_5_sa_g,p97_5_sa_g"));
+  const std::vector<std::string> known = row_at(child.out, "0.5");
+  ASSERT_EQ(known.size(), 8u);
+  EXPECT_NEAR(std::stod(known[4]), 0.8, 1e-12);
+  EXPECT_EQ(std::stod(known[5]), 0.0);
+  const double epsilon = std::log(0.8 / std::stod(known[1])) / std::stod(known[2]);
+  // Stated by its epsilon it is the same.
+  std::vector<std::string> by_epsilon = with({"suite", "target"}, an_earthquake);
+  *std::ranges::find(by_epsilon, "--sa-g") = "--epsilon";
+  *std::ranges::find(by_epsilon, "0.8") = std::to_string(epsilon);
+  const Finished same = run_program(by_epsilon);
+  EXPECT_NEAR(std::stod(row_at(same.out, "0.5")[4]), 0.8, 1e-6);
+}
+
+TEST_F(SuiteSelect, records_of_a_conditional_spectrum_are_compared_with_it) {
+  const std::string out = folder_.path("stripe.toml").string();
+  const Finished child =
+      select(with(an_earthquake, {"--count", "3", "--max-scale", "50", "--out", out, "--json"}));
+  EXPECT_EQ(child.status, 0) << child.err;
+  const json result = json::parse(child.out);
+  EXPECT_EQ(result["candidates"], 4);
+  EXPECT_EQ(result["records"].size(), 3u);
+  EXPECT_EQ(result["spectrum"].size(), 30u);
+  EXPECT_EQ(result["left_out"][0]["reasons"], json({"no second horizontal"}));
+  EXPECT_THAT(result["warnings"].dump(), states("4 candidates for 3 records", "loosely"));
+  const std::string suite = read_file(out);
+  EXPECT_THAT(suite, states("Sa(0.5 s) = 0.8 g", "seed 1", "WARNING: "));
+  EXPECT_THAT(suite, testing::Not(testing::HasSubstr("nearest_to_target")));
+  EXPECT_EQ(run_program({"suite", "show", out}).status, 0);
+  const Finished printed =
+      select(with(an_earthquake, {"--count", "3", "--max-scale", "50", "--seed", "1"}));
+  EXPECT_THAT(printed.out, states("WARNING", "records std", "left out", "r3"));
+}
+
+TEST_F(SuiteSelect, the_figure_of_a_conditional_spectrum_goes_to_a_folder_of_its_own) {
+  const std::string figures = folder_.path("figures").string();
+  const Finished child =
+      select(with(an_earthquake, {"--count", "3", "--max-scale", "50", "--figures", figures}));
+  EXPECT_EQ(child.status, 0) << child.err;
+  EXPECT_THAT(read_file(figures + "/conditional_spectrum.svg"), states("target, mean"));
+  expect_refused(select(with(an_earthquake, {"--count", "3", "--figures", figures})),
+                 {"figures", "--overwrite"});
+}
+
+// As the head of the suite says, which the study takes.
+TEST_F(SuiteSelect, a_stripe_of_the_example_study_is_what_is_selected_for_it) {
+  const Finished child =
+      run_program({"suite", "select", GLISSADE_SOURCE_DIR "/suites/simulated_library.toml",
+                   "--period-s", "0.5", "--sa-g", "0.6", "--magnitude", "7", "--distance-km", "10",
+                   "--vs30-mps", "400", "--count", "10", "--json"});
+  ASSERT_EQ(child.status, 0) << child.err;
+  const json records = json::parse(child.out)["records"];
+  ASSERT_EQ(records.size(), 10u);
+  const std::string stripe = read_file(GLISSADE_SOURCE_DIR "/studies/data/stripe_3.toml");
+  for (const json& record : records)
+    EXPECT_THAT(stripe, testing::HasSubstr("id = " + record["id"].dump() + "\n"));
+}
+
+TEST_F(SuiteSelect, mistakes_of_a_conditional_spectrum_are_refused) {
+  expect_refused(select({"--period-s", "0.5"}),
+                 {"--sa-g", "--magnitude", "--distance-km", "--vs30-mps", "is missing"});
+  expect_refused(select(with(an_earthquake, {"--level", "2"})), {"--period-s", "--level"});
+  expect_refused(select(with(an_earthquake, {"--epsilon", "1"})), {"--epsilon", "one of them"});
+  expect_refused(select(with(an_earthquake, {"--mechanism", "normal"})), {"normal", "reverse"});
+  expect_refused(select(with(an_earthquake, {"--from-s", "1"})), {"--from-s", "--period-s"});
+  expect_refused(select(with(an_earthquake, {"--max-scale", "1.01"})),
+                 {"20 records are required", "with a factor outside the limit"});
+  expect_refused(select(with(a_site, {"--count", "2", "--seed", "3"})), {"--seed", "conditional"});
+  expect_refused(run_program({"suite", "target", "--period-s", "20"}),
+                 {"--period-s: 20 s is not from 0.01 to 10 s"});
+}
+
+TEST_F(SuiteSelect, an_improbable_earthquake_is_warned_of) {
+  const Finished child =
+      run_program({"suite", "target", "--period-s", "0.5", "--sa-g", "2.5", "--magnitude", "5",
+                   "--distance-km", "80", "--vs30-mps", "760"});
+  EXPECT_EQ(child.status, 0) << child.err;
+  EXPECT_THAT(child.out, states("WARNING", "standard deviations above the median"));
 }
 
 }  // namespace

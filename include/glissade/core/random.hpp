@@ -20,6 +20,7 @@ enum class RandomPurpose : std::uint32_t {
   motion_parameters = 4,
   bootstrap = 5,
   design_life = 6,       ///< earthquakes of a design life
+  target_spectra = 7,    ///< spectra of a target, which selected records resemble
   goodness_of_fit = 11,  ///< capacities of a null model
   test = 99,
 };

@@ -48,6 +48,9 @@ std::vector<RecordFile> record_files(const std::filesystem::path& suite_file);
 /// SHA-256 of each; of a file in an archive that of this file.
 std::vector<std::string> sha256_of(const std::vector<RecordFile>& files);
 
+/// Whether a suite file is a recipe of simulated motions.
+bool is_recipe(const std::filesystem::path& suite_file);
+
 /// The recipe in a file with [simulation] and [[motion]]; nothing is simulated.
 SyntheticRecipe read_recipe(const std::filesystem::path& file);
 

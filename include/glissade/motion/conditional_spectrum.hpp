@@ -42,7 +42,7 @@ SpectrumDistribution conditional_on(const SpectrumDistribution& all, std::size_t
 /// By how many standard deviations ln(sa_g) is above the mean at a period.
 double epsilon_of(const SpectrumDistribution& all, std::size_t period, double sa_g);
 
-/// `count` periods of equal ratios from one to the other, with `period_s` among them.
+/// `count` periods of equal ratios from one to the other; in place of the nearest `period_s`.
 std::vector<double> spectrum_periods_s(double from_s, double to_s, std::size_t count,
                                        double period_s);
 

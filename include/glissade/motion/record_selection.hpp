@@ -46,7 +46,8 @@ enum class LeftOutFor {
   vs30_missing,
   event_missing,
   no_second_horizontal,
-  no_motion
+  no_motion,
+  factor  ///< of a selection at one period
 };
 /// "magnitude outside the limits", "no magnitude given" ...
 const char* to_string(LeftOutFor reason);

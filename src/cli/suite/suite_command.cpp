@@ -23,6 +23,7 @@
 #include "glissade/report/table.hpp"
 #include "output_rule.hpp"
 #include "put.hpp"
+#include "suite/conditional_options.hpp"
 #include "suite/import_output.hpp"
 #include "suite/motions_table.hpp"
 
@@ -236,10 +237,20 @@ void scale(const SuiteOptions& o) {
   put("{}", to_csv(table));
 }
 
+/// The table as CSV, to --out or standard output; warnings in its head.
+void put_target(const SuiteOptions& o, const ConditionalOptions& conditional) {
+  const ConditionalTarget target = conditional.target();
+  Table table = target_table(target);
+  table.title = conditional.sentence(target);
+  for (const std::string& warning : target_warnings(target))
+    table.notes.push_back("WARNING: " + warning);
+  deliver(o, to_csv(table));
+}
+
 void design(const SuiteOptions& o) {
   const std::string origin =
-      fmt::format("glissade suite design --level {} --seed {}", o.level, o.seed);
-  deliver(o, recipe_toml(design_suite(o.level, o.seed), origin));
+      fmt::format("Made by: glissade suite design --level {} --seed {}", o.level, o.seed);
+  deliver(o, recipe_toml(design_suite(o.level, o.seed), {origin}));
 }
 
 }  // namespace
@@ -298,6 +309,13 @@ void add_suite(CLI::App& program) {
   design_verb->add_option("--seed", o->seed, "seed of the simulation");
   design_verb->add_option("--out", o->out, "file [standard output]");
   add_overwrite(*design_verb, o->overwrite);
+  auto conditional = std::make_shared<ConditionalOptions>();
+  CLI::App* target_verb =
+      verb("target", "The conditional spectrum of an earthquake and site at a known Sa, as CSV",
+           [conditional](const SuiteOptions& options) { put_target(options, *conditional); });
+  conditional->add_to(*target_verb);
+  target_verb->add_option("--out", o->out, "file [standard output]");
+  add_overwrite(*target_verb, o->overwrite);
   add_suite_import(*command);
   add_suite_select(*command);
 }

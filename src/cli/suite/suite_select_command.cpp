@@ -1,11 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
-#include <cmath>
 #include <cstdio>
 #include <filesystem>
-#include <map>
 #include <nlohmann/json.hpp>
 
 #include "commands.hpp"
@@ -20,6 +17,8 @@
 #include "glissade/report/table.hpp"
 #include "output_rule.hpp"
 #include "put.hpp"
+#include "suite/conditional_select.hpp"
+#include "suite/selection_output.hpp"
 
 namespace glissade::cli {
 namespace {
@@ -27,11 +26,14 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 struct SelectOptions {
-  std::string library, out, site, site_class, edition;
+  std::string library, out, figures, site, site_class, edition;
   std::vector<std::string> site_classes;
   std::optional<int> level;
   std::optional<double> ss_g, s1_g, max_scale;
-  SelectionCriteria criteria;  ///< count, per_event and the limits that were given
+  SelectionCriteria criteria;  ///< per_event and the limits that were given
+  std::optional<std::size_t> count;
+  ConditionalOptions conditional;
+  std::optional<std::uint64_t> seed;
   bool keep_incomplete = false, json = false, overwrite = false;
 };
 
@@ -124,7 +126,7 @@ Task task_of(const SelectOptions& o) {
     task.target = target_of_site(o);
   }
   SelectionCriteria& criteria = task.criteria;
-  criteria.count = o.criteria.count;
+  criteria.count = o.count.value_or(criteria.count);
   criteria.per_event = o.criteria.per_event;
   override_with(criteria.magnitude, o.criteria.magnitude);
   override_with(criteria.distance_km, o.criteria.distance_km);
@@ -134,29 +136,14 @@ Task task_of(const SelectOptions& o) {
   return task;
 }
 
-/// Criteria are named by their options.
 RecordSelection select(const Suite& library, const Task& task) {
-  static const std::map<std::string, std::string> options = {
-      {"count", "--count"},
-      {"magnitude", "--min-magnitude, --max-magnitude"},
-      {"distance_km", "--min-distance-km, --max-distance-km"},
-      {"vs30_mps", "--min-vs30-mps, --max-vs30-mps"},
-      {"max_scale", "--max-scale"},
-      {"per_event", "--per-event"}};
   const TargetSpectrum target(task.target);
   try {
     return select_records(
         library, [&](double period_s) { return target.mce_sa_g(period_s); }, walters_periods_s(),
         task.criteria);
   } catch (const InputError& error) {
-    ProblemList problems;
-    for (Problem problem : error.problems()) {
-      if (const auto option = options.find(problem.where); option != options.end())
-        problem.where = option->second;
-      problems.add(problem);
-    }
-    problems.throw_if_any();
-    throw;
+    throw by_options(error);
   }
 }
 
@@ -180,26 +167,6 @@ std::string shortfall_line(const RecordSelection& s, double max_scale) {
       max_scale, max_scale / s.lowest.ratio);
 }
 
-Table records_table(const Suite& library, const RecordSelection& s) {
-  Table table{"records",
-              "Selected records",
-              {{"id", "", "record", ColumnKind::text},
-               {"event", "", "event", ColumnKind::text},
-               {"magnitude", "", "M", ColumnKind::number, "", false, 2},
-               {"distance", "km", "R, km", ColumnKind::number, "", false, 1},
-               {"vs30", "mps", "Vs30, m/s", ColumnKind::number, "", false, 0},
-               {"scale", "", "factor", ColumnKind::number, "", false, 4},
-               {"misfit", "", "misfit", ColumnKind::number, "", false, 3}},
-              {}};
-  const auto given = [](double value) { return value > 0.0 ? value : std::nan(""); };
-  for (const SelectedRecord& r : s.records) {
-    const Motion& m = library.motions[r.record];
-    table.add({m.id, m.event, given(m.magnitude), given(m.distance_km), given(m.vs30_mps), r.scale,
-               r.misfit});
-  }
-  return table;
-}
-
 void print(const Suite& library, const Task& task, const RecordSelection& s) {
   std::string target = "target: " + target_line(task.target);
   if (task.target.is_mapped()) {
@@ -210,17 +177,11 @@ void print(const Suite& library, const Task& task, const RecordSelection& s) {
   for (const std::string& warning : improbable_values(task.target))
     put("{}\n", wrapped("WARNING: " + warning, terminal_width, 0));
   put("{} candidates of {} records\n\n", s.candidates, library.motions.size());
-  put("{}", to_text(records_table(library, s)));
+  put("{}", to_text(selected_table(library, s.records)));
   put("\n{}\n", wrapped("average of the SRSS spectra: " + average_line(s), terminal_width, 2));
   if (!s.reaches_target())
     put("{}\n", wrapped("note  " + shortfall_line(s, task.criteria.max_scale), terminal_width, 6));
-  if (s.left_out.empty()) return;
-  put("\nleft out:\n");
-  for (const LeftOutRecord& record : s.left_out) {
-    std::vector<const char*> reasons;
-    for (const LeftOutFor reason : record.reasons) reasons.push_back(to_string(reason));
-    put("  {}: {}\n", library.motions[record.record].id, fmt::join(reasons, ", "));
-  }
+  put_left_out(library, s.left_out);
 }
 
 Json to_json(const RatioAtPeriod& r) { return {{"ratio", r.ratio}, {"period_s", r.period_s}}; }
@@ -238,27 +199,12 @@ Json to_json(const Suite& library, const Task& task, const RecordSelection& s) {
             {"warnings", improbable_values(target)},
             {"max_scale", task.criteria.max_scale},
             {"candidates", s.candidates},
-            {"records", Json::array()},
+            {"records", selected_json(library, s.records)},
             {"average",
              {{"lowest", to_json(s.lowest)},
               {"highest", to_json(s.highest)},
               {"reaches_target", s.reaches_target()}}},
-            {"left_out", Json::array()}};
-  for (const SelectedRecord& r : s.records) {
-    const Motion& m = library.motions[r.record];
-    json["records"].push_back({{"id", m.id},
-                               {"event", m.event},
-                               {"magnitude", or_null(m.magnitude)},
-                               {"distance_km", or_null(m.distance_km)},
-                               {"vs30_mps", or_null(m.vs30_mps)},
-                               {"scale", r.scale},
-                               {"misfit", r.misfit}});
-  }
-  for (const LeftOutRecord& record : s.left_out) {
-    Json reasons = Json::array();
-    for (const LeftOutFor reason : record.reasons) reasons.push_back(to_string(reason));
-    json["left_out"].push_back({{"id", library.motions[record.record].id}, {"reasons", reasons}});
-  }
+            {"left_out", left_out_json(library, s.left_out)}};
   return json;
 }
 
@@ -268,7 +214,7 @@ std::string suite_text(const SelectOptions& o, const Suite& library, const Task&
   SuiteHead head{fs::path(o.out).stem().string(),
                  fmt::format("{} records of {}, scaled to the {}", s.records.size(), library.name,
                              target_line(task.target)),
-                 {task.target, task.spectrum_file},
+                 StatedTarget{task.target, task.spectrum_file},
                  {"Made by: glissade suite select, from " + fs::path(o.library).filename().string(),
                   "average of the SRSS spectra: " + average_line(s)},
                  true};
@@ -279,15 +225,41 @@ std::string suite_text(const SelectOptions& o, const Suite& library, const Task&
   return suite_of_records_toml(o.library, head, records, fs::path(o.out).parent_path());
 }
 
+/// Twenty records at a level: Baker (2015) fits fragilities of so many and more.
+constexpr std::size_t records_of_a_stripe = 20;
+
+void run_conditional(const SelectOptions& o) {
+  if (o.level || o.ss_g || o.s1_g || !o.site.empty() || !o.edition.empty() ||
+      !o.site_class.empty() || !o.site_classes.empty())
+    throw InputError({"--period-s", "states a conditional spectrum, beside a design spectrum",
+                      "leave out --level, --site, --edition, --ss-g, --s1-g and the site classes, "
+                      "or the options of the conditional spectrum",
+                      ""});
+  ConditionalRequest request{.library = o.library,
+                             .out = o.out,
+                             .figures = o.figures,
+                             .target = o.conditional,
+                             .criteria = o.criteria,
+                             .json = o.json,
+                             .overwrite = o.overwrite};
+  request.criteria.count = o.count.value_or(records_of_a_stripe);
+  request.criteria.max_scale = o.max_scale.value_or(request.criteria.max_scale);
+  if (o.keep_incomplete) request.criteria.missing = MissingMetadata::keeps;
+  request.seed = o.seed.value_or(request.seed);
+  select_to_conditional(request);
+}
+
 void run(const SelectOptions& o) {
+  if (o.conditional.are_given()) return run_conditional(o);
+  for (const auto& [is_given, option] :
+       {std::pair{!o.figures.empty(), "--figures"}, {o.seed.has_value(), "--seed"}})
+    if (is_given)
+      throw InputError({option, "is of a selection to a conditional spectrum",
+                        "leave it out, or state the spectrum: --period-s, --sa-g, --magnitude ...",
+                        ""});
   const Task task = task_of(o);
   check_output_file(o.out, "--out", o.overwrite);
-  const Suite library = load_suite(o.library);
-  if (library.of_roof)
-    throw InputError({o.library,
-                      "has motions of a roof: records are selected by magnitude, distance and the "
-                      "spectrum of the ground",
-                      "select ground motions, and give the motions of the roof under them", ""});
+  const Suite library = load_library(o.library);
   const RecordSelection selection = select(library, task);
   if (!o.out.empty()) write_text_file(o.out, suite_text(o, library, task, selection));
   if (o.json) {
@@ -303,10 +275,12 @@ void run(const SelectOptions& o) {
 void add_suite_select(CLI::App& suite) {
   auto o = std::make_shared<SelectOptions>();
   CLI::App* command = suite.add_subcommand(
-      "select", "Select and scale records of a library to an MCE spectrum, by Walters's rule");
+      "select",
+      "Select and scale records of a library to an MCE spectrum, by Walters's rule, or to a "
+      "conditional spectrum");
   command->add_option("library", o->library, "suite file with the records to select from")
       ->required();
-  command->add_option("--count", o->criteria.count, "how many records");
+  command->add_option("--count", o->count, "how many records [7; of a conditional spectrum 20]");
   command->add_option("--level", o->level,
                       "Walters's Seismic Intensity Level, 0 to 4: its target and its limits");
   command->add_option("--site-class", o->site_class, "class of the site; of a level: E [A to D]");
@@ -330,6 +304,10 @@ void add_suite_select(CLI::App& suite) {
   command->add_option("--per-event", o->criteria.per_event, "most records of one earthquake");
   command->add_flag("--keep-incomplete", o->keep_incomplete,
                     "keep records that lack a limited parameter");
+  o->conditional.add_to(*command);
+  command->add_option("--seed", o->seed, "of the spectra drawn from a conditional spectrum [1]");
+  command->add_option("--figures", o->figures,
+                      "new folder for the figure of a conditional spectrum [none is drawn]");
   command->add_option("--out", o->out, "new suite file [none is written]");
   add_overwrite(*command, o->overwrite);
   command->add_flag("--json", o->json, "print one JSON object");

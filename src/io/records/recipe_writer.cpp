@@ -30,9 +30,9 @@ std::string motion_toml(const SyntheticMotion& motion) {
 
 }  // namespace
 
-std::string recipe_toml(const SyntheticRecipe& recipe, const std::string& origin) {
+std::string recipe_toml(const SyntheticRecipe& recipe, const std::vector<std::string>& comments) {
   std::string text = fmt::format(
-      "# Made by: {}\n"
+      "# {}\n"
       "# Motions simulated by the stochastic model of Rezaeian & Der Kiureghian (2010); the gain "
       "towards the BSSA14\n"
       "# median spectra is ours, not published. See README.md in this folder.\n"
@@ -51,7 +51,7 @@ std::string recipe_toml(const SyntheticRecipe& recipe, const std::string& origin
       "frequency_hz = {}\n"
       "horizontal = {}\n"
       "vertical = {}\n",
-      origin, quoted(recipe.name), quoted(recipe.description),
+      fmt::join(comments, "\n# "), quoted(recipe.name), quoted(recipe.description),
       recipe.nearest_to_target ? "selection = \"nearest_to_target\"\n" : "",
       target_toml(recipe.target), recipe.seed, recipe.dt_s,
       // Zero where the recipe does not state it.

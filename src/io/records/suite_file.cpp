@@ -423,6 +423,11 @@ std::vector<std::string> sha256_of(const std::vector<RecordFile>& files) {
   return all;
 }
 
+bool is_recipe(const std::filesystem::path& suite_file) {
+  TomlDocument document(suite_file);
+  return document.root().has("simulation");
+}
+
 SyntheticRecipe read_recipe(const std::filesystem::path& file) {
   TomlDocument document(file);
   return read_recipe(document);

@@ -3,9 +3,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <map>
 
 #include "glissade/core/error.hpp"
+#include "glissade/io/recipe_writer.hpp"
 #include "records/record_entry.hpp"
 #include "toml/toml_text.hpp"
 
@@ -52,11 +54,39 @@ std::string renamed(const std::string& name, const fs::path& library, const fs::
   return relative_path(beside, folder);
 }
 
-std::string target_of(const StatedTarget& stated, const fs::path& folder) {
+std::string target_of(const std::optional<StatedTarget>& head, const fs::path& library,
+                      const fs::path& folder) {
+  TomlDocument document(library);
+  if (!head && !document.root().has("target")) return "";
+  const StatedTarget stated = head ? *head : read_stated_target(library);
   if (stated.target.period_s.empty()) return target_toml(stated.target);
   return fmt::format("[target]\nedition = {}\nspectrum = {}\n",
                      quoted(to_string(stated.target.edition)),
                      path_from(stated.spectrum_file, folder));
+}
+
+InputError no_entry(const fs::path& library, const std::string& id) {
+  return InputError({library.string(), "has no entry \"" + id + "\"",
+                     "name records that are in the library", ""});
+}
+
+/// The recipe of some of its motions.
+std::string suite_of_motions_toml(const fs::path& library, const SuiteHead& head,
+                                  const std::vector<ScaledRecord>& records) {
+  SyntheticRecipe recipe = glissade::read_recipe(library);
+  recipe.name = head.name;
+  recipe.description = head.description;
+  recipe.nearest_to_target = head.nearest_to_target;
+  if (head.target) recipe.target = head.target->target;
+  std::vector<SyntheticMotion> motions;
+  for (const ScaledRecord& record : records) {
+    const auto found = std::ranges::find(recipe.motions, record.id, &SyntheticMotion::id);
+    if (found == recipe.motions.end()) throw no_entry(library, record.id);
+    motions.push_back(*found);
+    motions.back().scale = record.scale;
+  }
+  recipe.motions = std::move(motions);
+  return recipe_toml(recipe, head.comments);
 }
 
 }  // namespace
@@ -64,6 +94,7 @@ std::string target_of(const StatedTarget& stated, const fs::path& folder) {
 std::string suite_of_records_toml(const fs::path& library, const SuiteHead& head,
                                   const std::vector<ScaledRecord>& records,
                                   const fs::path& folder) {
+  if (is_recipe(library)) return suite_of_motions_toml(library, head, records);
   const auto [units, entries] = read_library(library);
   std::string text;
   for (const std::string& comment : head.comments) text += "# " + comment + "\n";
@@ -71,13 +102,10 @@ std::string suite_of_records_toml(const fs::path& library, const SuiteHead& head
                       quoted(head.description),
                       head.nearest_to_target ? "selection = \"nearest_to_target\"\n" : "",
                       units ? fmt::format("units = {}\n", quoted(to_string(*units))) : "",
-                      target_of(head.target, folder));
+                      target_of(head.target, library, folder));
   for (const ScaledRecord& record : records) {
     const auto found = entries.find(record.id);
-    if (found == entries.end()) {
-      throw InputError({library.string(), "has no [[record]] \"" + record.id + "\"",
-                        "only recorded motions are selected into a suite file", ""});
-    }
+    if (found == entries.end()) throw no_entry(library, record.id);
     RecordEntry entry = found->second;
     entry.metadata.scale = record.scale;
     for (auto& [key, component] : entry.components)

@@ -84,17 +84,13 @@ SpectrumDistribution conditional_on(const SpectrumDistribution& all, std::size_t
 
 std::vector<double> spectrum_periods_s(double from_s, double to_s, std::size_t count,
                                        double period_s) {
-  GLISSADE_EXPECTS(0.0 < from_s && from_s < to_s && count >= 2);
-  std::vector<double> periods_s{period_s};
+  GLISSADE_EXPECTS(0.0 < from_s && from_s < to_s && count >= 2 && period_s > 0.0);
+  std::vector<double> periods_s;
   for (std::size_t i = 0; i < count; ++i)
     periods_s.push_back(
         from_s * std::pow(to_s / from_s, static_cast<double>(i) / static_cast<double>(count - 1)));
-  std::ranges::sort(periods_s);
-  // One that is as good as the stated period would be the same number twice.
-  std::erase_if(periods_s, [&](double t_s) {
-    return t_s != period_s && std::abs(t_s - period_s) < 1e-9 * period_s;
-  });
-  periods_s.erase(std::ranges::unique(periods_s).begin(), periods_s.end());
+  *std::ranges::min_element(
+      periods_s, {}, [&](double t_s) { return std::abs(std::log(t_s / period_s)); }) = period_s;
   return periods_s;
 }
 

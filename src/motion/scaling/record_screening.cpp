@@ -150,15 +150,20 @@ const char* to_string(LeftOutFor reason) {
       return "no second horizontal";
     case LeftOutFor::no_motion:
       return "horizontals that are zero throughout";
+    case LeftOutFor::factor:
+      return "a factor outside the limit";
   }
   return "";
 }
 
-Screening screen(const Suite& library, const SelectionCriteria& criteria) {
+Screening screen(const Suite& library, const SelectionCriteria& criteria,
+                 const std::function<bool(std::size_t record)>& can_be_scaled) {
   check(criteria);
   Screening screening;
   for (std::size_t record = 0; record < library.motions.size(); ++record) {
-    const auto reasons = reasons_against(library.motions[record], criteria);
+    auto reasons = reasons_against(library.motions[record], criteria);
+    if (reasons.empty() && can_be_scaled && !can_be_scaled(record))
+      reasons.push_back(LeftOutFor::factor);
     if (reasons.empty())
       screening.candidates.push_back(record);
     else
@@ -168,6 +173,16 @@ Screening screen(const Suite& library, const SelectionCriteria& criteria) {
   std::ranges::sort(screening.candidates, {},
                     [&](std::size_t record) { return library.motions[record].id; });
   return screening;
+}
+
+bool may_join(const std::vector<std::size_t>& choice, std::size_t out, std::size_t k,
+              const std::vector<const std::string*>& events, std::optional<std::size_t> per_event) {
+  std::size_t of_event = 0;
+  for (std::size_t i = 0; i < choice.size(); ++i) {
+    if (choice[i] == k) return false;
+    if (i != out && *events[choice[i]] == *events[k]) ++of_event;
+  }
+  return !per_event || of_event < *per_event;
 }
 
 }  // namespace glissade

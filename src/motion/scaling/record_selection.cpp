@@ -18,7 +18,6 @@ constexpr double factor_weight = 0.01;
 /// SRSS spectrum of a candidate relative to the target.
 struct Candidate {
   std::size_t record;
-  const std::string* event;
   std::vector<double> spectrum_g;
   double mean_log, mean_log_square;  ///< of ln(Sa / target), unscaled
 
@@ -33,7 +32,7 @@ struct Candidate {
 Candidate candidate_of(const Suite& library, std::size_t record,
                        const std::vector<double>& target_g, const std::vector<double>& periods_s) {
   const Motion& motion = library.motions[record];
-  Candidate candidate{record, &motion.event, srss_spectrum_g(motion, periods_s), 0.0, 0.0};
+  Candidate candidate{record, srss_spectrum_g(motion, periods_s), 0.0, 0.0};
   const auto count = static_cast<double>(target_g.size());
   for (std::size_t i = 0; i < target_g.size(); ++i) {
     const double log_ratio = std::log(candidate.spectrum_g[i] / target_g[i]);
@@ -55,9 +54,12 @@ struct Score {
 /// The search for a set of candidates.
 class Selector {
  public:
-  Selector(const std::vector<Candidate>& candidates, const std::vector<double>& target_g,
-           const SelectionCriteria& criteria)
-      : candidates_(candidates), target_g_(target_g), criteria_(criteria) {}
+  Selector(const Suite& library, const std::vector<Candidate>& candidates,
+           const std::vector<double>& target_g, const SelectionCriteria& criteria)
+      : candidates_(candidates), target_g_(target_g), criteria_(criteria) {
+    for (const Candidate& candidate : candidates)
+      events_.push_back(&library.motions[candidate.record].event);
+  }
 
   Choice best() const {
     Choice choice = closest();
@@ -107,16 +109,6 @@ class Selector {
     return score;
   }
 
-  /// Whether `k` may replace the record at index `out` of the choice (choice.size(): be added).
-  bool may_join(const Choice& choice, std::size_t out, std::size_t k) const {
-    std::size_t of_event = 0;
-    for (std::size_t i = 0; i < choice.size(); ++i) {
-      if (choice[i] == k) return false;
-      if (i != out && *candidates_[choice[i]].event == *candidates_[k].event) ++of_event;
-    }
-    return !criteria_.per_event || of_event < *criteria_.per_event;
-  }
-
   /// The records that are closest to the target individually.
   Choice closest() const {
     std::vector<double> misfits;
@@ -127,7 +119,8 @@ class Selector {
     std::ranges::stable_sort(order, {}, [&](std::size_t k) { return misfits[k]; });
     Choice choice;
     for (const std::size_t k : order) {
-      if (choice.size() < criteria_.count && may_join(choice, choice.size(), k))
+      if (choice.size() < criteria_.count &&
+          may_join(choice, choice.size(), k, events_, criteria_.per_event))
         choice.push_back(k);
     }
     std::ranges::sort(choice);
@@ -139,7 +132,7 @@ class Selector {
     std::optional<Choice> best;
     for (std::size_t out = 0; out < choice.size(); ++out) {
       for (std::size_t k = 0; k < candidates_.size(); ++k) {
-        if (!may_join(choice, out, k)) continue;
+        if (!may_join(choice, out, k, events_, criteria_.per_event)) continue;
         Choice exchanged = choice;
         exchanged[out] = k;
         // One order for one set: its score must not depend on the sequence of exchanges.
@@ -154,6 +147,7 @@ class Selector {
   }
 
   const std::vector<Candidate>& candidates_;
+  std::vector<const std::string*> events_;
   const std::vector<double>& target_g_;
   const SelectionCriteria& criteria_;
 };
@@ -171,7 +165,7 @@ RecordSelection select_records(const Suite& library,
   for (const std::size_t record : screening.candidates)
     candidates.push_back(candidate_of(library, record, target_g, periods_s));
 
-  const Selector selector(candidates, target_g, criteria);
+  const Selector selector(library, candidates, target_g, criteria);
   const Choice choice = selector.best();
   const std::vector<double> scales = selector.scales_of(choice);
 

@@ -365,8 +365,8 @@ TEST_F(SuiteFile, a_recipe_without_the_largest_scale_survives_being_written) {
   std::string text = recipe_text;
   text.erase(text.find("max_scale"), std::string("max_scale = 4.0\n").size());
   const SyntheticRecipe recipe = read_recipe(folder_.write("recipe.toml", text));
-  const std::string written = recipe_toml(recipe, "a test");
-  EXPECT_EQ(recipe_toml(read_recipe(folder_.write("copy.toml", written)), "a test"), written);
+  const std::string written = recipe_toml(recipe, {"a test"});
+  EXPECT_EQ(recipe_toml(read_recipe(folder_.write("copy.toml", written)), {"a test"}), written);
 }
 
 TEST_F(SuiteFile, a_recipe_needs_a_gain) {

@@ -45,10 +45,12 @@ class SuiteWriter : public testing::Test {
     library_ = folder_.write("library/library.toml", library_toml);
   }
   std::string text_for(const std::string& out_folder, const std::vector<ScaledRecord>& records) {
-    SuiteHead head{
-        "selected", "some records", {{.ss_g = 1.95, .s1_g = 0.8}, {}}, {"Made by a test"}};
+    SuiteHead head{"selected",
+                   "some records",
+                   StatedTarget{{.ss_g = 1.95, .s1_g = 0.8}, {}},
+                   {"Made by a test"}};
     head.nearest_to_target = true;
-    head.target.target.site_classes = {SiteClass::a, SiteClass::e};
+    head.target->target.site_classes = {SiteClass::a, SiteClass::e};
     return suite_of_records_toml(library_, head, records, folder_.path() / out_folder);
   }
   TemporaryFolder folder_;

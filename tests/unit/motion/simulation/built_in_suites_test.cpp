@@ -78,9 +78,9 @@ TEST_P(BuiltInSuite, has_distinct_motions_that_do_not_depend_on_one_another) {
 
 TEST_P(BuiltInSuite, is_written_as_it_is_read) {
   const std::string path = testing::TempDir() + "recipe_" + std::to_string(GetParam()) + ".toml";
-  const std::string text = recipe_toml(recipe, "a test");
+  const std::string text = recipe_toml(recipe, {"a test"});
   std::ofstream(path) << text;
-  EXPECT_EQ(recipe_toml(read_recipe(path), "a test"), text);
+  EXPECT_EQ(recipe_toml(read_recipe(path), {"a test"}), text);
 }
 
 TEST(walters_level, is_refused_outside_0_to_4) {

@@ -21,7 +21,7 @@ TEST_P(SuiteDesign, gives_the_shipped_recipe) {
   const SyntheticRecipe shipped =
       read_recipe(std::string(GLISSADE_SOURCE_DIR) + "/suites/synthetic_level" +
                   std::to_string(GetParam()) + ".toml");
-  EXPECT_EQ(recipe_toml(design_suite(GetParam(), shipped.seed), ""), recipe_toml(shipped, ""));
+  EXPECT_EQ(recipe_toml(design_suite(GetParam(), shipped.seed), {""}), recipe_toml(shipped, {""}));
 }
 
 }  // namespace
