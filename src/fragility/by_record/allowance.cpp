@@ -31,9 +31,13 @@ Allowance::Allowance(const Records& data, const ProbitLine& maximum, bool extrap
   height_effect_ = small_sample;
   if (grouped) {
     // What leaving out a record changes (the jackknife), by its part of the weight.
-    const Eigen::ArrayXd changes =
-        (data.scores(maximum) * (inverse * height)).array() / (1 - data.parts_of_weight());
-    const double variance = changes.square().sum() / small_sample;
+    const auto variance_of = [&](const Eigen::Vector2d& direction) {
+      const Eigen::ArrayXd changes =
+          (data.scores(maximum) * (inverse * direction)).array() / (1 - data.parts_of_weight());
+      return changes.square().sum() / small_sample;
+    };
+    const double variance = variance_of(height);
+    if (data.has_gaps()) least_slope_effect_ = variance_of({0, 1}) / slope_variance_;
     const double least = chi_squared_quantile(records_ - 1, 0.05) / (records_ - 1) * small_sample;
     identical_ = variance < 1e-9 * height_variance_;
     height_effect_ = std::max(least, variance / height_variance_);
@@ -49,12 +53,12 @@ Allowance::Allowance(const Records& data, const ProbitLine& maximum, bool extrap
 
 /// Of records on the variance of the slope, where it is `slope`: by the variance between records,
 /// which is larger where all of it is, and the degrees of freedom of both parts (Satterthwaite
-/// 1946).
+/// 1946). Records at some levels only differ from level to level: not below what they show.
 double Allowance::slope_effect(double slope) const {
   const double larger = std::pow(maximum_[1] / slope, 2);
   const double part = std::clamp((part_ + part_of_change_ * (larger - 1)) / larger, 0.0, 1.0);
   const double within = rows_ > records_ ? (1 - part) * (1 - part) / (rows_ - records_) : 0;
-  return rows_ * (part * part / (records_ - 1) + within);
+  return std::max(least_slope_effect_, rows_ * (part * part / (records_ - 1) + within));
 }
 
 double Allowance::operator()(const ProbitLine& line) const {

@@ -26,6 +26,7 @@ class Allowance {
   double rows_, records_, per_record_, t_squared_, z_squared_;
   double origin_, height_variance_, slope_variance_;  // of independent rows; height at y = origin
   double height_effect_ = 1.0;                        // of records on the variance of the height
+  double least_slope_effect_ = 0.0;                   // that of the slope is not below
   double part_ = 1.0;            // of the variance between records in that of all rows
   double part_of_change_ = 1.0;  // what of a change of the variance is between records
   bool counts_, identical_ = false;

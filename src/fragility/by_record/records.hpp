@@ -48,6 +48,8 @@ class Records {
   virtual FitSummary bound() const = 0;                                  ///< one trial per record
   virtual std::string method() const = 0;
   virtual bool complete() const { return false; }  ///< every capacity is known exactly
+  /// Some records are at some of the levels only: multiple stripes.
+  virtual bool has_gaps() const { return false; }
   /// Every trial is independent, of trials that are many: chi-square in place of Student's t.
   virtual bool independent_counts() const { return false; }
 
@@ -100,6 +102,7 @@ class StripeRecords final : public Records {
   double log_likelihood(const FragilityCurve& curve) const override;
   FitSummary bound() const override;
   std::string method() const override { return "probit maximum likelihood on stripes"; }
+  bool has_gaps() const override { return (trials_.array() == 0).any(); }
   bool independent_counts() const override { return independent_; }
 
  private:

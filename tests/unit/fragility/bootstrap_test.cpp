@@ -73,8 +73,7 @@ Coverage stripe_coverage(int records, int studies, int naive_studies) {
   Coverage share{0, 0, 0};
   for (int study = 0; study < studies; ++study) {
     const auto data = simulated_stripes(records, 1000 + study);
-    const FitSummary fit =
-        fit_stripes_by_record(intensities(), data);
+    const FitSummary fit = fit_stripes_by_record(intensities(), data);
     share.median += covers(fit.median_interval, 1.0) ? 1.0 / studies : 0;
     share.log_std += covers(fit.log_std_interval, total_log_std) ? 1.0 / studies : 0;
     if (study < naive_studies) {
@@ -104,6 +103,37 @@ TEST(fit_stripes_by_record, covers_the_median_in_95_percent_of_studies_of_7_reco
   EXPECT_GE(share.median, 0.92);
   EXPECT_LE(share.median, 0.98);
   EXPECT_GE(share.log_std, 0.92);
+}
+
+// Multiple stripes: twenty records at each of five levels, the last five of them at the next too.
+TEST(fit_stripes_by_record, covers_the_median_in_95_percent_of_studies_by_multiple_stripes) {
+  const std::vector<double> at{0.5, 0.7, 1.0, 1.4, 2.0};
+  constexpr std::size_t apart = 15, of_level = 20;
+  constexpr int studies = 600;
+  double median = 0, log_std = 0;
+  for (int study = 0; study < studies; ++study) {
+    std::vector<RecordStripes> data;
+    for (const RecordCapacities& record :
+         simulated_capacities(4 * apart + of_level, 9000 + study)) {
+      RecordStripes& stripes = data.emplace_back(
+          RecordStripes{std::vector<double>(at.size()), std::vector<double>(at.size())});
+      for (std::size_t j = 0; j < at.size(); ++j) {
+        if (data.size() <= j * apart || data.size() > j * apart + of_level) continue;
+        stripes.trials[j] = samples;
+        for (const double capacity : record.capacities)
+          stripes.exceedances[j] += capacity < at[j] ? 1 : 0;
+      }
+    }
+    const FitSummary fit = fit_stripes_by_record(at, data);
+    median += covers(fit.median_interval, 1.0) ? 1.0 / studies : 0;
+    log_std += covers(fit.log_std_interval, total_log_std) ? 1.0 / studies : 0;
+  }
+  RecordProperty("coverage_median", std::to_string(median));
+  RecordProperty("coverage_log_std", std::to_string(log_std));
+  EXPECT_GE(median, 0.92);
+  EXPECT_LE(median, 0.98);
+  EXPECT_GE(log_std, 0.92);
+  EXPECT_LE(log_std, 0.98);
 }
 
 TEST(fit_capacities_by_record, covers_the_median_in_95_percent_of_studies_of_12_records) {
@@ -162,7 +192,8 @@ TEST(fit_stripes_by_record,
   }
   // At an end of the interval of the median, one half is at an end of the band.
   std::vector<Interval> ends;
-  fit_stripes_by_record(intensities(), data, {fit.median_interval.low, fit.median_interval.high}, &ends);
+  fit_stripes_by_record(intensities(), data, {fit.median_interval.low, fit.median_interval.high},
+                        &ends);
   EXPECT_NEAR(ends[0].high, 0.5, 1e-9);
   EXPECT_NEAR(ends[1].low, 0.5, 1e-9);
 }
@@ -187,8 +218,7 @@ TEST(fit_capacities_by_record, bands_rise_with_intensity_and_keep_the_order_of_t
     FragilityCurve lower_curve;
     for (const double ratio : {1.0, 1.3, 1.9}) {
       std::vector<Interval> band;
-      const FitSummary fit =
-          fit_capacities_by_record(cut_at_two(first, ratio), 2.0, at, &band);
+      const FitSummary fit = fit_capacities_by_record(cut_at_two(first, ratio), 2.0, at, &band);
       if (fit.status != FitStatus::maximum_likelihood) continue;
       for (std::size_t i = 0; i < at.size(); ++i) {
         const double p = fit.curve.probability(at[i]);
@@ -286,7 +316,8 @@ TEST(fit_capacities_by_record, covers_a_floor_that_differs_from_record_to_record
   double floor = 0, p50 = 0, probability = 0;
   for (int study = 0; study < 600; ++study) {
     std::vector<Interval> band;
-    const FitSummary fit = fit_capacities_by_record(with_varying_floors(12, 9000 + study), 1e9, {0.6}, &band);
+    const FitSummary fit =
+        fit_capacities_by_record(with_varying_floors(12, 9000 + study), 1e9, {0.6}, &band);
     floor += covers(fit.floor_interval, 0.15) ? 1 / 600.0 : 0;
     p50 += covers(fit.p50_interval, truth.intensity_at(0.5)) ? 1 / 600.0 : 0;
     probability += covers(band[0], truth.probability(0.6)) ? 1 / 600.0 : 0;
@@ -313,8 +344,8 @@ TEST(fit_stripes_by_record, has_the_same_floor_as_capacities_and_the_curve_of_th
 TEST(fit_by_record, always_exceeds_where_every_history_slides_freely) {
   const std::vector<RecordCapacities> capacities(7, {{}, 0.0, 10.0});
   const std::vector<RecordStripes> stripes(7, {{0.0, 0.0}, {0.0, 0.0}, 10.0});
-  for (const FitSummary& fit : {fit_capacities_by_record(capacities, 1.0),
-                                fit_stripes_by_record({0.5, 1.0}, stripes)}) {
+  for (const FitSummary& fit :
+       {fit_capacities_by_record(capacities, 1.0), fit_stripes_by_record({0.5, 1.0}, stripes)}) {
     EXPECT_EQ(fit.status, FitStatus::always_exceeds);
     EXPECT_EQ(fit.curve.floor, 1.0);
   }
