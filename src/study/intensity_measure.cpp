@@ -8,6 +8,7 @@
 
 #include "glissade/core/units.hpp"
 #include "glissade/motion/intensity.hpp"
+#include "glissade/motion/rotated_spectrum.hpp"
 #include "glissade/motion/suite_scaling.hpp"
 #include "glissade/study/config.hpp"
 
@@ -17,6 +18,7 @@ namespace {
 /// How one number comes from a record, of which there are two horizontals as a rule.
 constexpr const char *of_peaks = ", geometric mean of both horizontals",
                      *of_spectra = ", geometric mean of both horizontals, 5 %",
+                     *of_directions = ", RotD50, 5 %",
                      *of_suite = "";  // it is no number of a record
 
 struct MeasureRow {
@@ -85,6 +87,13 @@ const std::array rows = {
                of_suite,
                [](const IntensityConfig&) -> std::string { return "factor on the motions"; },
                [](const IntensityConfig&, const Motion& m) { return m.scale; }},
+    MeasureRow{"sa_rotd50_g", "g", "sa_period_s", "spectral acceleration at sa_period_s",
+               of_directions,
+               [](const IntensityConfig& c) { return fmt::format("Sa({:g} s)", c.sa_period_s); },
+               [](const IntensityConfig& c, const Motion& m) {
+                 return standard_gravity_mps2 /
+                        rotated_spectrum(m, {&c.sa_period_s, 1}).rotd50_mps2.front();
+               }},
 };
 
 const MeasureRow& row_of(std::size_t row) { return rows.at(row); }

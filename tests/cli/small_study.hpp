@@ -49,6 +49,18 @@ inline std::string short_study() {
                   "[model]\naxes = 1\n\n[building]");
 }
 
+/// As small_study by multiple stripes: other motions at each of two levels.
+inline std::string stripes_study() {
+  std::string text = small_study();
+  text = replaced(text, "file = \"" GLISSADE_SOURCE_DIR "/suites/synthetic_level0.toml\"",
+                  "stripes = [\"" GLISSADE_SOURCE_DIR
+                  "/suites/synthetic_level0.toml\", \"" GLISSADE_SOURCE_DIR
+                  "/suites/synthetic_level1.toml\"]");
+  text = replaced(text, "measure = \"sds_g\"\nlevels = [0.5, 1.0, 2.0]",
+                  "measure = \"sa_rotd50_g\"\nsa_period_s = 0.5\nlevels = [0.4, 1.5]");
+  return replaced(text, "\n[standards]\ncompare = [\"seaoc_pv1_2012\"]\n", "");
+}
+
 /// As small_study on one axis, ended where its samples are precise enough.
 inline std::string target_study() {
   return replaced(

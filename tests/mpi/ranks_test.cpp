@@ -76,6 +76,14 @@ TEST_F(Mpi, one_two_three_and_seven_ranks_give_the_bytes_of_none) {
     EXPECT_TRUE(results_on(ranks, study) == alone) << ranks << " ranks";
 }
 
+TEST_F(Mpi, multiple_stripes_have_the_same_bytes_on_any_ranks) {
+  const std::string study = folder_.write("study.toml", stripes_study());
+  const std::string alone = results_on(0, study);
+  ASSERT_FALSE(alone.empty());
+  for (const int ranks : {2, 3})
+    EXPECT_TRUE(results_on(ranks, study) == alone) << ranks << " ranks";
+}
+
 TEST_F(Mpi, one_and_two_ranks_give_the_same_report_tables_and_figures) {
   const std::string study = folder_.write("study.toml", small_study());
   results_on(1, study), results_on(2, study);
@@ -258,7 +266,8 @@ TEST_F(Mpi, what_the_first_rank_cannot_write_ends_all_with_one_message) {
   }
 }
 
-// HDF5 without memory can end the process by a signal, after which as after kill -9 nothing is lost.
+// HDF5 without memory can end the process by a signal, after which as after kill -9 nothing is
+// lost.
 TEST_F(Mpi, memory_that_ends_on_one_rank_ends_all_or_is_enough) {
   const std::string study = folder_.write("study.toml", short_study());
   const std::string alone = results_on(0, study), out = folder_.path("out").string();

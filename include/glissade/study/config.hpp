@@ -143,8 +143,9 @@ struct StudyConfig : Analyses::InStudy {
   std::map<std::string, std::string> data_files;
   std::string hashed_text;  ///< the study file with all quantities in the units of their keys
   std::vector<std::filesystem::path> suite_files;  ///< one at least, resolved
-  std::vector<std::string> records;                ///< ids of the records to run; empty: all
-  bool normalise_by_pgv = false;                   ///< each suite, of those records
+  bool by_stripes = false;  ///< multiple stripes: the records of suite i are run at level i alone
+  std::vector<std::string> records;  ///< ids of the records to run; empty: all
+  bool normalise_by_pgv = false;     ///< each suite, of those records
   IntensityConfig intensity;
   ModelConfig model;
   Quantities quantities;

@@ -27,6 +27,7 @@ AnalysisInFiles FragilityAnalysis::in_files() {
       .uses = {"model.displacement", "sampling.target_error", "sampling.scrambles",
                "sampling.bootstrap_replicates", "standards.compare"},
       .stands_alone = true,
+      .of_stripes = true,
       .sampled_friction = FrictionUse::usual,
       .design_friction = FrictionUse::usual};
 }

@@ -45,6 +45,7 @@ struct AnalysisInFiles {
   std::vector<const char*> uses;  ///< "sampling.scrambles": has no effect but with such an analysis
   bool stands_alone = false;      ///< or is read beside one that does
   bool needs_every_history = false;  ///< those beyond the largest threshold too
+  bool of_stripes = false;           ///< a record may be run at one level only
   bool of_any_run = false;  ///< can be added to finished results: every run keeps what it reads
   FrictionUse sampled_friction = FrictionUse::none, design_friction = FrictionUse::none;
 };

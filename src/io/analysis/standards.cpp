@@ -53,6 +53,7 @@ AnalysisInFiles StandardsAnalysis::in_files() {
                     {"standards", "seismic_design_category", "\"seaoc_pv1_2012\" in compare",
                      compares<Standard::seaoc_pv1_2012>}},
       .needs_every_history = true,
+      .of_stripes = true,
       .of_any_run = true};
 }
 

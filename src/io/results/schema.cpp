@@ -63,7 +63,9 @@ void exchange_histories(const Archive& archive, const IntensityScale& scale, R& 
   if constexpr (Archive::reads) {
     table.records = results.records.size();
     table.cases = results.cases.size();
-    table.levels = results.levels.size();
+    table.levels = results.by_stripes ? 1 : results.levels.size();
+    for (const RecordSummary& record : results.records)
+      if (results.by_stripes) table.stripe_of.push_back(record.suite);
     table.thresholds = results.thresholds_m.size();
   }
   for_each_history_field([&](auto field) {

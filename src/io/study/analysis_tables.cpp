@@ -97,6 +97,12 @@ void read_analyses(const TomlTable& root, StudyConfig& study) {
     root.table(analysis.table);
     analysis.read(root, study);
     const std::string table = listed({analysis.table});
+    if (study.by_stripes && !analysis.of_stripes)
+      root.report(analysis.table,
+                  table +
+                      " reads each record at every level, and by suite.stripes a record is run "
+                      "at one level only",
+                  "leave out " + table + ", or run one suite at all levels (suite.file)");
     for (const AnalysisNeeds& need : analysis.needs) {
       if (!need.is_met(root, study))
         root.report(analysis.table, table + " needs " + need.what,

@@ -40,6 +40,9 @@ void add_head(std::vector<GrammarKey>& keys) {
         "units of the report, metres or inches first; CSV and HDF5 files are in metres"},
        {"suite", "file", "path", "required (or files)", "suite file, relative to the study file"},
        {"suite", "files", "list of paths", "none", "several suites in one study"},
+       {"suite", "stripes", "list of paths", "none",
+        "multiple stripes: the suite of each of intensity.levels, in their order; its records are "
+        "run at that level only"},
        {"suite", "records", "list of ids", "all", "the records to run"},
        {"suite", "normalise", "name", "none",
         "pgv: each record is scaled to the suite's median PGV first (FEMA P-695, A.8, recalled): "
@@ -58,7 +61,7 @@ void add_head(std::vector<GrammarKey>& keys) {
         "analysis justifies it (16.2.3.1)"},
        {"intensity", "scaled_to_s", "number", fmt::format("{:g}", usual.intensity.scaled_to_s),
         "sds_g: the suite's average is 0.9 of the design spectrum or more from 2 s to here too, s"},
-       {"intensity", "sa_period_s", "number", "required with sa_g",
+       {"intensity", "sa_period_s", "number", "required with sa_g and sa_rotd50_g",
         "period of the spectral acceleration, s"},
        {"intensity", "avg_sa_periods_s", list_value, "required with avg_sa_g",
         "periods of the average spectral acceleration, s"},

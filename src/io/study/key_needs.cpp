@@ -41,6 +41,8 @@ bool draws_orientation(const TomlTable&, const StudyConfig& study) {
 
 bool draws(const TomlTable&, const StudyConfig& study) { return study.draws(); }
 
+bool runs_all_levels(const TomlTable&, const StudyConfig& study) { return !study.by_stripes; }
+
 bool uses_target(const TomlTable&, const StudyConfig& study) {
   return study.intensity.measure.is_of_design_spectrum() ||
          !is_always(study, "building", "response_modification", 0.0);
@@ -71,7 +73,8 @@ void add_needs_of_analyses(std::vector<KeyNeeds>& needs) {
 std::vector<KeyNeeds> key_needs() {
   constexpr auto axes = "[model] axes = 2", file = "friction.file", random = "choice = \"random\"",
                  drawn = "a quantity or an orientation that is drawn",
-                 vertical = "a use other than \"none\"";
+                 vertical = "a use other than \"none\"",
+                 all_levels = "a study without suite.stripes";
   std::vector<KeyNeeds> needs = {
       {"intensity", "scaled_to_s", "measure = \"sds_g\"",
        [](const TomlTable&, const StudyConfig& study) {
@@ -109,7 +112,10 @@ std::vector<KeyNeeds> key_needs() {
        [](const TomlTable&, const StudyConfig& s) {
          return s.sampling.scrambles >= least_scrambles;
        }},
-      {"sampling", "scrambles", drawn, draws}};
+      {"sampling", "scrambles", drawn, draws},
+      {"sampling", "target_error", all_levels, runs_all_levels},
+      {"sampling", "scrambles", all_levels, runs_all_levels},
+      {"fragility", "stop_at_largest", all_levels, runs_all_levels}};
   for (const Parameter& p : parameters()) {
     if (p.axes == Parameter::Axes::two) needs.push_back({p.table, p.key, axes, two_axes});
     if (p.needs == nullptr) continue;

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <map>
 
 #include "analysis/in_files.hpp"
 #include "enum_names.hpp"
@@ -21,14 +22,21 @@ namespace {
 
 /// Keys that go with one measure only.
 void refuse_other_keys(const TomlTable& table, IntensityMeasure measure) {
+  const auto key_of = [](IntensityMeasure of) {
+    return std::string(of.own_key() != nullptr ? of.own_key() : "");
+  };
+  std::map<std::string, std::string> owners;
   for (std::size_t i = 0; i < IntensityMeasure::count(); ++i) {
     const IntensityMeasure owner = IntensityMeasure::number(i);
-    const char* key = owner.own_key();
-    if (key == nullptr || owner == measure || !table.has(key)) continue;
+    std::string& names = owners[key_of(owner)];
+    names += (names.empty() ? "" : " or ") + std::string(owner.key());
+  }
+  for (const auto& [key, names] : owners) {
     // A target also gives the strength of a building.
-    if (key == std::string("target")) continue;
-    table.report(key, table.name_of(key) + " needs measure = \"" + owner.key() + "\"",
-                 std::string("leave it out, or measure by ") + owner.key());
+    if (key.empty() || key == key_of(measure) || key == "target" || !table.has(key.c_str()))
+      continue;
+    table.report(key.c_str(), table.name_of(key.c_str()) + " needs measure = " + names,
+                 "leave it out, or measure by " + names);
   }
 }
 
@@ -96,19 +104,23 @@ IntensityConfig read_intensity(const TomlTable& table, const NumberRule& level_r
   return intensity;
 }
 
-/// One suite by `file`, or several by `files`.
+/// One suite by `file`, several by `files`, or one for each level by `stripes`.
 void read_suites(const TomlTable& table, StudyConfig& study) {
   std::vector<std::string> names;
-  if (table.has("files")) {
-    if (table.has("file"))
-      table.report("files", "suite.file and suite.files are both given",
-                   "name one suite by file, or several by files");
-    names = table.texts("files").value_or(names);
-    if (names.empty()) table.report("files", "suite.files is empty", "name at least one suite");
-  } else {
-    names = {table.required_text("file", "several suites are suite.files = [...]")};
+  const char* key = table.has("stripes") ? "stripes" : table.has("files") ? "files" : "file";
+  for (const char* other : {"file", "files"}) {
+    if (key != std::string(other) && table.has(other) && key != std::string("file"))
+      table.report(key, fmt::format("suite.{} and suite.{} are both given", other, key),
+                   "name one suite by file, several by files, or one for each level by stripes");
   }
-  const char* key = table.has("files") ? "files" : "file";
+  if (key == std::string("file")) {
+    names = {table.required_text("file", "several suites are suite.files = [...]")};
+  } else {
+    names = table.texts(key).value_or(names);
+    if (names.empty())
+      table.report(key, fmt::format("suite.{} is empty", key), "name at least one suite");
+  }
+  study.by_stripes = table.has("stripes");
   for (const std::string& name : names) {
     study.suite_files.push_back((study.file.parent_path() / name).lexically_normal());
     if (!name.empty() && !table.is_there(study.suite_files.back())) {
@@ -120,6 +132,16 @@ void read_suites(const TomlTable& table, StudyConfig& study) {
   study.records = table.texts("records").value_or(study.records);
   if (table.is_array("records") && study.records.empty())
     table.report("records", "suite.records is empty", "name at least one record, or leave it out");
+}
+
+/// A stripe is a suite and its level.
+void check_stripes(const TomlTable& table, const StudyConfig& study) {
+  const std::size_t suites = study.suite_files.size(), levels = study.intensity.levels.size();
+  if (!study.by_stripes || suites == levels || suites == 0 || levels == 0) return;
+  table.report(
+      "stripes",
+      fmt::format("suite.stripes has {} suites, and intensity.levels {} levels", suites, levels),
+      "name the suite of each level, in the order of the levels");
 }
 
 /// More than anybody can run, or hold the results of.
@@ -167,6 +189,7 @@ StudyConfig read_study(const std::filesystem::path& file, TextFiles& files) {
   const bool fragility = root.has("fragility");
   study.intensity =
       read_intensity(root.required_table("intensity"), fragility ? above_zero : not_negative);
+  check_stripes(root.table("suite"), study);
   study.model = read_model(root.table("model"));
   read_quantities(root, study);
   read_friction(root.required_table("friction"), usual_friction_values(root), study);

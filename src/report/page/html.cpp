@@ -62,7 +62,7 @@ std::string what_was_run(const Results& results) {
       "{} x {} x {} x {} x {} of {}. Every displacement is in plan.",
       counted(results.records.size(), "record"), counted(set.combinations(), "combination"),
       counted(set.samples, "sample"), counted(set.orientations, "orientation"),
-      counted(results.levels.size(), "level"), results.intensity_label);
+      levels_of_each(results), results.intensity_label);
   text += " Intensity measure: " + results.measure.meaning() + ".";
   if (const std::string target = target_text(results); !target.empty())
     text += " Design target: " +

@@ -24,7 +24,7 @@ std::string summary_text(const Results& results, const std::vector<Skip>& skips)
                                       counted(results.records.size(), "record"),
                                       draws ? counted(results.cases.samples, "sample")
                                             : counted(results.cases.size(), "case"),
-                                      counted(results.levels.size(), "level"))) +
+                                      levels_of_each(results))) +
                      line("Model: " + results.model.kernel) +
                      line("Orientation: " + describe(orientation_choice(results.cases)));
   if (const std::string target = target_text(results); !target.empty())

@@ -130,6 +130,10 @@ std::string counts_of(const Results& results) {
          counted(results.cases.samples, "sample");
 }
 
+std::string levels_of_each(const Results& results) {
+  return (results.by_stripes ? "1 of " : "") + counted(results.levels.size(), "level");
+}
+
 std::string counted(std::size_t count, const std::string& one) {
   return fmt::format("{} {}{}", count, one, count == 1 ? "" : "s");
 }

@@ -47,6 +47,8 @@ Table without_run_key(const Results& results, const Table& table);
 std::string at_intensity(const Results& results, double value);
 /// "1.20"; of four digits where that is all of the level: "1.035".
 std::string level_number(double level);
+/// "6 levels"; of multiple stripes "1 of 6 levels".
+std::string levels_of_each(const Results& results);
 /// "1 sample", "2 samples"
 std::string counted(std::size_t count, const std::string& one);
 /// "22 records x 1024 samples"

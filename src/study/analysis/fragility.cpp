@@ -32,26 +32,17 @@ bool recrosses(const HistoryTable& histories, std::size_t record, std::size_t c,
   return false;
 }
 
-ThresholdFragility fit_threshold(const Results& results, const RunResults& run,
-                                 std::size_t threshold, const BootstrapOptions& options,
-                                 SamplingMethod method) {
+/// What follows from the capacities of records that are run at all levels.
+void fit_capacities_of(const Results& results, const RunResults& run, std::size_t threshold,
+                       const BootstrapOptions& options, SamplingMethod method,
+                       ThresholdFragility& fragility) {
   const std::vector<double>& levels = results.levels;
   const HistoryTable& table = results.histories;
-  const std::size_t records = table.records;
-  ThresholdFragility fragility;
-  fragility.threshold_m = results.thresholds_m[threshold];
-
   const ThresholdData data = threshold_data(results, slice_of(run), threshold);
-  // Of all histories, by record and level.
-  std::vector<std::vector<double>> exceeding(records, std::vector<double>(levels.size()));
   double reached = 0.0, recrossed = 0.0, censored = 0.0, free = 0.0;
-  for (std::size_t record = 0; record < records; ++record) {
+  for (std::size_t record = 0; record < table.records; ++record) {
     double record_recrossed = 0.0;
     for (std::size_t i = run.first_case; i < run.first_case + run.cases; ++i) {
-      for (std::size_t level = 0; level < levels.size(); ++level) {
-        if (table.displacement_m(record, i, level) >= fragility.threshold_m)
-          exceeding[record][level] += 1.0;
-      }
       if (!std::isinf(table.capacity(record, i, threshold))) ++reached;
       if (recrosses(table, record, i, fragility.threshold_m)) {
         ++recrossed;
@@ -62,7 +53,7 @@ ThresholdFragility fit_threshold(const Results& results, const RunResults& run,
     free += data.capacities[record].free;
     fragility.record_recross.push_back(record_recrossed);
   }
-  const double histories = static_cast<double>(records * run.cases);
+  const double histories = static_cast<double>(table.records * run.cases);
   fragility.recross_share = reached > 0.0 ? recrossed / reached : 0.0;
   fragility.censored_share = censored / histories;
   fragility.free_sliding_share = free / histories;
@@ -71,13 +62,40 @@ ThresholdFragility fit_threshold(const Results& results, const RunResults& run,
                                                   run.band_intensities, &fragility.band);
   fragility.lognormal = lognormal_goodness_of_fit(data.capacities, levels.back(), options,
                                                   method == SamplingMethod::sobol);
-  for (std::size_t level = 0; level < levels.size(); ++level) {
-    double share = 0.0;
-    for (const std::vector<double>& record : exceeding) share += record[level];
-    fragility.probability.push_back(share / histories);
-    std::vector<double> shares;
-    for (const std::vector<double>& record : exceeding)
-      shares.push_back(record[level] / static_cast<double>(run.cases));
+}
+
+void fit_multiple_stripes(const Results& results, const RunResults& run,
+                          ThresholdFragility& fragility) {
+  fragility.on_stripes = true;
+  const std::vector<RecordStripes> data =
+      multiple_stripes(results, slice_of(run), fragility.threshold_m);
+  fragility.free_sliding_share = data.front().free / static_cast<double>(run.cases);
+  fragility.stripes =
+      fit_stripes_by_record(results.levels, data, run.band_intensities, &fragility.band);
+}
+
+ThresholdFragility fit_threshold(const Results& results, const RunResults& run,
+                                 std::size_t threshold, const BootstrapOptions& options,
+                                 SamplingMethod method) {
+  const HistoryTable& table = results.histories;
+  ThresholdFragility fragility;
+  fragility.threshold_m = results.thresholds_m[threshold];
+  if (results.by_stripes)
+    fit_multiple_stripes(results, run, fragility);
+  else
+    fit_capacities_of(results, run, threshold, options, method, fragility);
+  for (std::size_t level = 0; level < results.levels.size(); ++level) {
+    std::vector<double> shares;  // of all histories, by record
+    double exceeding = 0.0;
+    for (std::size_t record = 0; record < table.records; ++record) {
+      if (!table.has(record, level)) continue;
+      double of_record = 0.0;
+      for (std::size_t i = run.first_case; i < run.first_case + run.cases; ++i)
+        if (table.displacement_m(record, i, level) >= fragility.threshold_m) of_record += 1.0;
+      exceeding += of_record;
+      shares.push_back(of_record / static_cast<double>(run.cases));
+    }
+    fragility.probability.push_back(exceeding / static_cast<double>(shares.size() * run.cases));
     fragility.probability_interval.push_back(share_interval(shares));
   }
   order_intervals(fragility.probability, fragility.probability_interval);

@@ -146,11 +146,12 @@ Interval PooledLevel::exceeded_interval(double probability) const {
 
 PooledLevel pooled_at(const HistoryTable& histories, CaseSlice cases, std::size_t level,
                       HistoryValues<double> HistoryFields::*field) {
-  std::vector<std::vector<double>> slips(histories.records);
-  for (std::size_t record = 0; record < slips.size(); ++record) {
-    slips[record].reserve(cases.count);
+  std::vector<std::vector<double>> slips;
+  for (std::size_t record = 0; record < histories.records; ++record) {
+    if (!histories.has(record, level)) continue;
+    slips.emplace_back().reserve(cases.count);
     for (std::size_t i = 0; i < cases.count; ++i)
-      slips[record].push_back(
+      slips.back().push_back(
           (histories.fields.*field)[histories.at(record, cases.first + i, level)]);
   }
   return PooledLevel(std::move(slips));

@@ -12,6 +12,7 @@
 #include "glissade/core/hash.hpp"
 #include "glissade/core/mathematics.hpp"
 #include "glissade/motion/suite_scaling.hpp"
+#include "glissade/study/run/history_table.hpp"
 #include "plan/keep_records.hpp"
 #include "plan/plan_check.hpp"
 #include "words/plan_notes.hpp"
@@ -71,9 +72,11 @@ double record_us(const Plan& plan, std::size_t record) {
   const double both_arrays_us = plan.config.has_neighbours() ? 5000.0 : 0.0;
   const StudyConfig& config = plan.config;
   constexpr double histories_of_search = 4.0;  // of one capacity, on average
-  const double searched = histories_of_search * static_cast<double>(config.thresholds_m().size());
+  const double searched =
+      config.by_stripes ? 0.0
+                        : histories_of_search * static_cast<double>(config.thresholds_m().size());
   return (history_us(plan.kernel.kernel, config) + both_arrays_us) * samples / 8000.0 *
-         (static_cast<double>(config.intensity.levels.size()) + searched);
+         (static_cast<double>(plan.levels_of(record).size()) + searched);
 }
 
 /// Units of even predicted cost: some hundreds where the study (or a block of its samples) has that
@@ -232,7 +235,7 @@ const DesignTarget* Plan::target_of(std::size_t suite) const {
 }
 
 std::uint64_t Plan::histories() const {
-  return records.size() * order.size() * config.intensity.levels.size();
+  return records.size() * order.size() * depth_of(config, Depth::levels);
 }
 
 double Plan::predicted_seconds() const {

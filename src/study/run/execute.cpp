@@ -47,13 +47,13 @@ void run_neighbour(const Histories& histories, double level, History& history, W
 }
 
 /// All levels of one case.
-void run_levels(const Plan& plan, Histories& histories, Skipping skipping, HistoryFields& fields,
-                WorkCount& count) {
+void run_levels(const Plan& plan, std::span<const double> levels, Histories& histories,
+                Skipping skipping, HistoryFields& fields, WorkCount& count) {
   const StudyConfig& config = plan.config;
   const KeptFields kept(config);
   const bool stops = config.fragility && config.fragility->stop_at_largest;
   bool beyond = false;  // the largest threshold is reached, and nothing above it is needed
-  for (const double level : config.intensity.levels) {
+  for (const double level : levels) {
     History history;
     std::vector<Crossing> crossings(kept.crossings ? config.thresholds_m().size() : 0);
     if (beyond) {
@@ -78,18 +78,19 @@ void run_levels(const Plan& plan, Histories& histories, Skipping skipping, Histo
   }
   if (!kept.tips) return;
   const double tipping = histories.tipping_level(*config.tipping);
-  for (const double level : config.intensity.levels)
+  for (const double level : levels)
     fields.tips.push_back(config.intensity.measure.factor_of_level(level) > tipping ? 1 : 0);
 }
 
 using Cases = std::vector<std::unique_ptr<Histories>>;
 
 /// The levels of cases that are run together.
-void prepare_levels(const Plan& plan, const Cases& cases, TwoAxisBatch& batch) {
+void prepare_levels(const Plan& plan, std::span<const double> levels, const Cases& cases,
+                    TwoAxisBatch& batch) {
   // Where a level decides whether the next is needed, each is run by itself.
   if (plan.config.fragility && plan.config.fragility->stop_at_largest) return;
   for (const auto& histories : cases)
-    for (const double level : plan.config.intensity.levels)
+    for (const double level : levels)
       if (!histories->does_not_slide(level)) histories->prepare(level);
   batch.run();
 }
@@ -151,16 +152,17 @@ UnitResult execute(const Plan& plan, std::size_t unit_index, RoofStore& roofs) {
   // SIMD lanes are filled with the histories of several cases: those that are done wait for others
   // only at the end of all.
   const std::size_t together = plan.kernel.kernel == Kernel::tables ? 1 : 64;
-  const auto thresholds =
-      KeptFields(plan.config).crossings ? plan.config.thresholds_m() : std::span<const double>();
+  const KeptFields kept(plan.config);
+  const auto thresholds = kept.crossings ? plan.config.thresholds_m() : std::span<const double>();
+  const std::span<const double> levels = plan.levels_of(plan.units[unit_index].record);
   for (CasesOfUnit of_unit(plan, plan.units[unit_index], roofs); !of_unit.at_end();) {
     TwoAxisBatch batch(thresholds);
     Cases cases;
     while (!of_unit.at_end() && cases.size() < together) cases.push_back(of_unit.next(batch));
-    prepare_levels(plan, cases, batch);
+    prepare_levels(plan, levels, cases, batch);
     for (const auto& histories : cases)
-      run_levels(plan, *histories, roofs.skipping(), result.fields, result.count);
-    find_capacities(plan.config, cases, batch, result.fields, result.count);
+      run_levels(plan, levels, *histories, roofs.skipping(), result.fields, result.count);
+    if (kept.capacities) find_capacities(plan.config, cases, batch, result.fields, result.count);
   }
   result.count.roofs = roofs.roofs_made() - roofs_before;
   return result;

@@ -61,10 +61,13 @@ HistoryAssembly::HistoryAssembly(const Plan& plan, const std::filesystem::path& 
     : plan_(plan),
       table_{plan.records.size(),
              plan.cases.size(),
-             plan.config.intensity.levels.size(),
+             depth_of(plan.config, Depth::levels),
              plan.config.thresholds_m().size(),
+             {},
              {}},
       has_(plan.units.size(), false) {
+  for (const PlannedRecord& record : plan.records)
+    if (plan.config.by_stripes) table_.stripe_of.push_back(record.suite);
   const KeptFields kept(plan.config);
   for_each_history_field([&](auto field) {
     if (!kept.has(field)) return;

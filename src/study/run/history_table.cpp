@@ -7,7 +7,9 @@
 namespace glissade {
 
 KeptFields::KeptFields(const StudyConfig& config)
-    : two_axes(config.two_axes()), closing(config.has_neighbours()) {
+    : two_axes(config.two_axes()),
+      closing(config.has_neighbours()),
+      capacities(!config.by_stripes) {
   for_each_analysis(Analyses(), [&]<class Analysis>(Analysis) {
     if constexpr (requires { Analysis::keeps; }) {
       const auto& [is_asked] = static_cast<const typename Analysis::InStudy&>(config);
@@ -18,7 +20,7 @@ KeptFields::KeptFields(const StudyConfig& config)
 }
 
 std::size_t depth_of(const StudyConfig& config, Depth depth) {
-  const std::size_t levels = config.intensity.levels.size(),
+  const std::size_t levels = config.by_stripes ? 1 : config.intensity.levels.size(),
                     thresholds = config.thresholds_m().size();
   if (depth == Depth::levels) return levels;
   return depth == Depth::thresholds ? thresholds : levels * thresholds;

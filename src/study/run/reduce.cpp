@@ -108,6 +108,7 @@ void put_study(const StudyConfig& study, Results& results) {
   results.axes = study.model.axes;
   results.displacement = study.model.displacement;
   results.levels = study.intensity.levels;
+  results.by_stripes = study.by_stripes;
   results.thresholds_m = study.thresholds_m();
 }
 

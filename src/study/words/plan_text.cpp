@@ -55,15 +55,15 @@ std::string to_string(const Plan& plan) {
   std::string text = fmt::format(
       "study       {} (plan {})\n"
       "suite       {}\n"
-      "intensity   {}: {} levels, {:g} to {:g}\n"
+      "intensity   {}: {} levels, {:g} to {:g}{}\n"
       "model       {}; because {}\n"
       "cases       {} combinations x {} samples x {} orientation{}, of which {} differ\n"
       "orientation {}\n{}",
       c.name, plan.hash, suites_text(plan), intensity_label(c.intensity), levels.size(),
-      levels.front(), levels.back(), describe(plan.kernel.kernel, plan.config), plan.kernel.reason,
-      plan.cases.combinations(), plan.cases.samples, plan.cases.orientations,
-      plan.cases.orientations == 1 ? "" : "s", plan.order.size(), describe(c.orientation.choice),
-      cases_text(plan));
+      levels.front(), levels.back(), c.by_stripes ? "; multiple stripes, a suite for each" : "",
+      describe(plan.kernel.kernel, plan.config), plan.kernel.reason, plan.cases.combinations(),
+      plan.cases.samples, plan.cases.orientations, plan.cases.orientations == 1 ? "" : "s",
+      plan.order.size(), describe(c.orientation.choice), cases_text(plan));
   if (c.draws()) {
     text += fmt::format(
         "samples     {}, seed {}\n",
@@ -83,7 +83,7 @@ std::string to_string(const Plan& plan) {
   }
   text +=
       fmt::format("work        {} histories in {} units{}\n", plan.histories(), plan.units.size(),
-                  c.fragility ? ", and the search for capacities on top" : "");
+                  c.fragility && !c.by_stripes ? ", and the search for capacities on top" : "");
   for (const Skip& skip : plan.skips)
     text += fmt::format("not run     {}: {}\n", skip.what, skip.why);
   for (const std::string& warning : plan.warnings) text += fmt::format("warning     {}\n", warning);

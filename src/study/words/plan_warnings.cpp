@@ -7,6 +7,7 @@
 #include <cmath>
 #include <iterator>
 
+#include "glissade/core/quantile.hpp"
 #include "glissade/motion/improbable.hpp"
 #include "glissade/motion/roof_words.hpp"
 #include "glissade/sampling/pull_test.hpp"
@@ -152,8 +153,41 @@ Warnings free_sliding(const Plan& plan) {
       100.0 * static_cast<double>(free) / static_cast<double>(plan.cases.size()))};
 }
 
-/// Each counts as a record of its own in means and intervals.
-Warnings same_motions(const Plan& plan) { return copied_records(plan); }
+/// Each counts as a record of its own in means and intervals; of multiple stripes those of one.
+Warnings same_motions(const Plan& plan) {
+  if (!plan.config.by_stripes) return copied_records(plan);
+  Warnings warnings;
+  for (std::size_t suite = 0; suite < plan.suites.size(); ++suite)
+    std::ranges::move(copied_records(plan, suite), std::back_inserter(warnings));
+  return warnings;
+}
+
+/// A stripe whose file scales its records to another level than the one at which they are run.
+Warnings other_stripes(const Plan& plan) {
+  constexpr double most_apart = 1.25;
+  if (!plan.config.by_stripes) return {};
+  Warnings warnings;
+  for (std::size_t suite = 0; suite < plan.suites.size(); ++suite) {
+    std::vector<double> ratios;
+    bool is_scaled = false;
+    for (std::size_t record = 0; record < plan.records.size(); ++record) {
+      const double factor = plan.factor_at_unit_level[record], scale = plan.motion(record).scale;
+      if (plan.records[record].suite != suite || factor == 0.0) continue;
+      is_scaled |= scale != 1.0;
+      ratios.push_back(
+          factor * plan.config.intensity.measure.factor_of_level(plan.levels_of(record).front()) /
+          scale);
+    }
+    if (!is_scaled) continue;
+    const double ratio = quantile_of(std::move(ratios), 0.5);
+    if (ratio <= most_apart && ratio >= 1.0 / most_apart) continue;
+    warnings.push_back(fmt::format(
+        "the suite {} is run at the level {:g}, {:.3g} times what its file scales it to: its "
+        "records were selected for another level",
+        plan.suites[suite].name, plan.config.intensity.levels[suite], ratio));
+  }
+  return warnings;
+}
 
 /// The target of the study replaces it.
 Warnings other_targets(const Plan& plan) {
@@ -198,7 +232,8 @@ Warnings nearest_records(const Plan& plan) {
       warnings.push_back(fmt::format(
           "the records of the suite {} were selected as the nearest to a target spectrum: they "
           "scatter less than recorded motions, so that small probabilities are too small, and the "
-          "log standard deviation and all intervals too narrow",
+          "log standard deviation and all intervals too narrow. Remedy: records of a conditional "
+          "spectrum (glissade suite select --sa-g), with a suite for each level (suite.stripes)",
           suite.name));
   }
   return warnings;
@@ -221,7 +256,7 @@ std::vector<std::string> warnings_on(const Plan& plan) {
   for (const auto warning :
        {without_target, one_axis, strong_levels, missed_targets, few_for_rule, target_values,
         stated_modes, improbable_buildings, period_gaps, low_friction, high_friction, free_sliding,
-        other_targets, same_motions, motions, nearest_records, turned_roofs}) {
+        other_targets, same_motions, other_stripes, motions, nearest_records, turned_roofs}) {
     for (std::string& text : warning(plan)) warnings.push_back(std::move(text));
   }
   for_each_analysis(Analyses(), [&](auto analysis) {

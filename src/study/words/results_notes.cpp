@@ -59,19 +59,18 @@ void note_uplift(const Results& results, const StudyConfig& config,
   const Flags& uplift = results.histories.fields.uplift;
   const Flagged lifts(results, {&uplift});
   if (lifts.records.empty()) return;
-  const std::size_t levels = results.levels.size();
-  std::vector<std::size_t> by_level(levels, 0);
-  for (std::size_t i = 0; i < uplift.size(); ++i) by_level[i % levels] += uplift[i];
-  const auto first = std::ranges::find_if(by_level, [](std::size_t n) { return n > 0; });
-  const double share =
-      static_cast<double>(by_level.back() * levels) / static_cast<double>(uplift.size());
+  const HistoryTable& table = results.histories;
+  const auto share_at = [&](std::size_t level) {
+    return mean_of(table, uplift, {0, table.cases}, level);
+  };
+  std::size_t first = 0;
+  while (share_at(first) == 0.0) ++first;
   notes.push_back(fmt::format(
       "UPLIFT: {} of {} records ({}) lift the array off its roof in some histories, from {} on; at "
       "the highest level in {} of all. Uplift is outside the model: slip there is that of a block "
       "without friction while lifted (shares: tables)",
       lifts.records.size(), results.records.size(), lifts.names(),
-      level_text(results, config, static_cast<std::size_t>(first - by_level.begin())),
-      percent(share)));
+      level_text(results, config, first), percent(share_at(results.levels.size() - 1))));
 }
 
 void note_failed(const Results& results, std::vector<std::string>& notes) {

@@ -69,7 +69,7 @@ TEST_F(Grammar, has_an_example_of_every_key_that_is_accepted) {
   for (const char* name :
        {"all_keys", "avg_sa", "building_modes", "building_storeys", "chart", "clearance", "hazard",
         "intensity_measures", "pga_normal", "ppa", "pull_tests", "rare", "sa", "sensitivity",
-        "verdict", "verdict_valley"}) {
+        "stripes", "verdict", "verdict_valley"}) {
     const std::string text =
         read_text_file(source / "tests/fuzz/corpus/study" / (std::string(name) + ".toml"));
     EXPECT_EQ(error(text), "") << name;

@@ -27,9 +27,12 @@ struct ThresholdFragility {
   double threshold_m = 0.0;
   FitSummary stripes;     ///< fitted on counts at the levels
   FitSummary capacities;  ///< fitted on first-crossing capacities, censored at the highest level
+  /// Of multiple stripes, whose records have no capacities: neither have what follows from these.
+  bool on_stripes = false;
+  const FitSummary& curve_fit() const { return on_stripes ? stripes : capacities; }
   std::vector<double> probability;             ///< observed share exceeding, per level
   std::vector<Interval> probability_interval;  ///< 95 %, bootstrap over records, per level
-  std::vector<Interval> band;  ///< 95 % band of the capacity fit at RunResults::band_intensities
+  std::vector<Interval> band;  ///< 95 % band of curve_fit() at RunResults::band_intensities
   double recross_share =
       0.0;  ///< of (record, sample) that reached it: share falling below it again at a higher level
   std::vector<double> record_recross;  ///< 1 where any sample of the record recrosses

@@ -80,6 +80,11 @@ struct Plan : PlanLists {
   /// The design spectrum that strengths and levels of a suite rest on; null: none.
   const DesignTarget* target_of(std::size_t suite) const;
   const DesignTarget* target(std::size_t record) const { return target_of(records[record].suite); }
+  /// Those at which a record is run: all, or that of its stripe.
+  std::span<const double> levels_of(std::size_t record) const {
+    const std::span<const double> all = config.intensity.levels;
+    return config.by_stripes ? all.subspan(records[record].suite, 1) : all;
+  }
   /// Records x cases x levels that are run; searches for capacities come on top.
   std::uint64_t histories() const;
   /// Predicted seconds of one core.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -37,7 +38,7 @@ enum class Depth { levels, thresholds, levels_and_thresholds };
 /// Which fields a study keeps, beside those that every study has.
 struct KeptFields {
   bool two_axes = false, by_axis = false, closing = false, base_shear = false, tips = false,
-       crossings = false;
+       crossings = false, capacities = true;
   explicit KeptFields(const StudyConfig& config);
   bool has(const auto& field) const { return field.kept_with == nullptr || this->*field.kept_with; }
 };
@@ -92,11 +93,11 @@ void for_each_history_field(Visit visit) {
              &HistoryFields::failed});
   visit(Number{"capacity", "",
                "lowest intensity that reaches the threshold; inf: not reached; 0: slides freely",
-               Depth::thresholds, &HistoryFields::capacity});
+               Depth::thresholds, &HistoryFields::capacity, &KeptFields::capacities});
   visit(Flag{"search_failed", "-",
              "1 where a history in search of the capacity did not converge: it counts as one that "
              "reaches the threshold",
-             Depth::thresholds, &HistoryFields::search_failed});
+             Depth::thresholds, &HistoryFields::search_failed, &KeptFields::capacities});
   visit(Number{
       "crossing_time_s", "s",
       "time of the first crossing of the threshold from the record's begin; nan: not reached",
@@ -108,15 +109,25 @@ void for_each_history_field(Visit visit) {
 
 /// Histories by (record, case).
 struct HistoryTable {
-  std::size_t records = 0, cases = 0, levels = 0, thresholds = 0;
+  std::size_t records = 0, cases = 0, levels = 0, thresholds = 0;  ///< levels of each record
   HistoryFields fields;
+  /// Of multiple stripes: by record, the one level that it has. Else empty: each has all levels.
+  std::vector<std::size_t> stripe_of = {};
+
+  bool has(std::size_t record, std::size_t level) const {
+    return stripe_of.empty() || stripe_of[record] == level;
+  }
+  std::size_t records_at(std::size_t level) const {
+    if (stripe_of.empty()) return records;
+    return static_cast<std::size_t>(std::ranges::count(stripe_of, level));
+  }
 
   std::size_t depth(Depth depth) const {
     if (depth == Depth::levels) return levels;
     return depth == Depth::thresholds ? thresholds : levels * thresholds;
   }
   std::size_t at(std::size_t record, std::size_t c, std::size_t level) const {
-    return (record * cases + c) * levels + level;
+    return (record * cases + c) * levels + (stripe_of.empty() ? level : 0);
   }
   double displacement_m(std::size_t record, std::size_t c, std::size_t level) const {
     return fields.peak_displacement_m[at(record, c, level)];
@@ -139,10 +150,10 @@ double mean_of(const HistoryTable& histories, const HistoryValues<T>& field, Cas
   if (field.empty()) return std::numeric_limits<double>::quiet_NaN();
   double sum = 0.0;
   for (std::size_t record = 0; record < histories.records; ++record) {
-    for (std::size_t i = 0; i < cases.count; ++i)
+    for (std::size_t i = 0; histories.has(record, level) && i < cases.count; ++i)
       sum += field[histories.at(record, cases.first + i, level)];
   }
-  return sum / static_cast<double>(histories.records * cases.count);
+  return sum / static_cast<double>(histories.records_at(level) * cases.count);
 }
 
 /// Values of a field for each record and case.

@@ -109,6 +109,14 @@ std::vector<Assumption> reading_assumptions(const Results& results) {
              "Linear in slope and friction between the chart's points; none between levels, and "
              "nothing beyond the axes."}};
   }
+  if (results.by_stripes)
+    return {{"Stripes",
+             "Each level has records of its own, which represent the motions of that level. Curves "
+             "are fitted to the shares that exceed, by the binomial likelihood (Baker 2015); no "
+             "record has a capacity."},
+            {"Independence",
+             "Motions are the independent unit; one that is in several stripes is one unit. "
+             "Intervals are from the variance between motions."}};
   return {
       {"Capacity",
        "The lowest intensity at which the slip first reaches the clearance. Slip does not always "

@@ -42,8 +42,8 @@ std::string fit_text(const Results& results, const FitSummary& fit) {
 }
 
 bool has_curve(const ThresholdFragility& fragility) {
-  return fragility.capacities.converged() ||
-         fragility.capacities.status == FitStatus::always_exceeds;
+  return fragility.curve_fit().converged() ||
+         fragility.curve_fit().status == FitStatus::always_exceeds;
 }
 
 bool are_a_few(const RunResults& run) {
@@ -56,8 +56,8 @@ void add_direct_labels(Panel& panel, const RunResults& run) {
   std::vector<Note> labels;
   for (std::size_t t = 0; t < count; ++t) {
     const ThresholdFragility& fragility = run.fragilities[t];
-    if (fragility.capacities.converged())
-      labels.push_back({0.0, fragility.capacities.curve.probability(panel.x.high),
+    if (fragility.curve_fit().converged())
+      labels.push_back({0.0, fragility.curve_fit().curve.probability(panel.x.high),
                         short_length(fragility.threshold_m), family_look(t, count).colour});
   }
   if (are_a_few(run)) add_side_labels(panel, std::move(labels), {Side::right, 0.15, 0.1});
@@ -65,7 +65,7 @@ void add_direct_labels(Panel& panel, const RunResults& run) {
 
 /// "0.300 m (11.8 in): median 1.66 g [1.46 to 1.89], log std 0.311"
 std::string threshold_text(const Results& results, const ThresholdFragility& fragility) {
-  return format_length(fragility.threshold_m) + ": " + fit_text(results, fragility.capacities) +
+  return format_length(fragility.threshold_m) + ": " + fit_text(results, fragility.curve_fit()) +
          (departs_from_lognormal(fragility.lognormal) ? ", not lognormal" : "");
 }
 
@@ -84,7 +84,7 @@ void add_thresholds(Panel& panel, const Results& results, const RunResults& run)
       curves.lines.push_back({name + ", lognormal", colour, as_line, "probability", where,
                               "probability_low95", "probability_high95"});
     observed.lines.push_back({name + ", observed", colour, as_points, "share", where});
-    if (!are_a_few(run) || !fragility.capacities.converged())
+    if (!are_a_few(run) || !fragility.curve_fit().converged())
       key.push_back(
           {has_curve(fragility) ? DataSeries::Kind::line_and_points : DataSeries::Kind::points,
            colour, "", threshold_text(results, fragility)});
@@ -105,9 +105,13 @@ Figure fragility_figure(const Results& results, const RunResults& run) {
       "Probability that the peak slip in plan exceeds each clearance at a given intensity, with "
       "friction " +
           run.friction_description +
-          ". Lines: lognormal curves fitted to the lowest intensity at which each history reaches "
-          "the clearance (those that never do are censored; the share that slides freely is in "
-          "the curve). Points: share of histories that exceed it at a level. Shaded: 95 % interval "
+          (results.by_stripes
+               ? ". Lines: lognormal curves fitted to the counts at the levels, of which each has "
+                 "records of its own (multiple stripes, Baker 2015)"
+               : ". Lines: lognormal curves fitted to the lowest intensity at which each history "
+                 "reaches the clearance (those that never do are censored; the share that slides "
+                 "freely is in the curve)") +
+          ". Points: share of histories that exceed it at a level. Shaded: 95 % interval "
           "from the variance between records."};
   Panel panel{"",
               {results.intensity_label, 0.0, results.levels.back()},

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "analysis/analyses.hpp"
@@ -249,21 +250,20 @@ std::vector<Figure> figures(const Results& results) {
   const RunResults& run = results.runs.front();
   if (results.measure == IntensityMeasure::sds_g)
     figures.push_back(slip_vs_sds_figure(results, run));
-  figures.push_back(ida_figure(results, run));
+  if (!results.by_stripes) figures.push_back(ida_figure(results, run));
   return figures;
 }
 
 std::vector<Table> tables(const Results& results) {
-  return {fragility_table(results),
-          goodness_of_fit_table(results),
-          fragility_band_table(results, results.runs),
-          recrossing_table(results),
-          combinations_table(results),
-          earthquakes_table(results),
-          slip_table(results),
-          standards_table(results),
-          stripes_table(results, results.runs),
-          samples_table(results)};
+  std::vector<Table> tables = {fragility_table(results)};
+  if (!results.by_stripes) tables.push_back(goodness_of_fit_table(results));
+  tables.push_back(fragility_band_table(results, results.runs));
+  if (!results.by_stripes) tables.push_back(recrossing_table(results));
+  for (Table& table : std::array{combinations_table(results), earthquakes_table(results),
+                                 slip_table(results), standards_table(results),
+                                 stripes_table(results, results.runs), samples_table(results)})
+    tables.push_back(std::move(table));
+  return tables;
 }
 
 Html section(const Results& results) {

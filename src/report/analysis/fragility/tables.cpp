@@ -90,13 +90,24 @@ std::string crossing_note(const Results& results) {
       crossings.size() > 1 ? fmt::format(" and {} more", crossings.size() - 1) : "");
 }
 
-double histories_per_level(const Results& results, const RunResults& run) {
-  return static_cast<double>(results.records.size() * run.cases);
+double histories_at(const Results& results, const RunResults& run, std::size_t level) {
+  return static_cast<double>(results.histories.records_at(level) * run.cases);
+}
+
+/// Of multiple stripes, whose records are run at one level, without what only the others have.
+Table without_capacities(const Results& results, Table table) {
+  if (!results.by_stripes) return table;
+  for (const char* stem :
+       {"lognormal_p", "recross_share", "record_recross_share", "censored_share"})
+    if (std::ranges::find(table.columns, stem, &Column::stem) != table.columns.end())
+      table = table.without(stem);
+  return table;
 }
 
 }  // namespace
 
 const FitSummary& preferred_fit(const ThresholdFragility& fragility) {
+  if (fragility.on_stripes) return fragility.stripes;
   const FitSummary& capacities = fragility.capacities;
   const bool known = capacities.converged() || capacities.status == FitStatus::one_capacity;
   return !known && fragility.stripes.converged() ? fragility.stripes : capacities;
@@ -134,10 +145,11 @@ Table fragility_table(const Results& results) {
   for (const RunResults& run : results.runs) {
     for (const ThresholdFragility& fragility : run.fragilities) {
       add_fragility_row(table, run, fragility, "stripes", fragility.stripes);
-      add_fragility_row(table, run, fragility, "capacities", fragility.capacities);
+      if (!fragility.on_stripes)
+        add_fragility_row(table, run, fragility, "capacities", fragility.capacities);
     }
   }
-  return with_listed(results, table);
+  return without_capacities(results, with_listed(results, table));
 }
 
 Table combinations_table(const Results& results) {
@@ -184,20 +196,24 @@ Table goodness_of_fit_table(const Results& results) {
 
 Table fragility_band_table(const Results& results, std::span<const RunResults> runs) {
   Table table{"fragility_band",
-              "The fit on capacities by intensity, with its 95 % band." + measured_by(results) +
-                  in_plan(results),
+              (results.by_stripes ? "The fit on stripes by intensity, with its 95 % band."
+                                  : "The fit on capacities by intensity, with its 95 % band.") +
+                  measured_by(results) + in_plan(results),
               {run_column,
                threshold_column,
                intensity_column(results, "intensity", "Intensity", "intensity"),
                {"probability", "", "Probability [95 %]", ColumnKind::share,
-                "of exceeding the threshold, by the fit on capacities", true}},
+                results.by_stripes ? "of exceeding the threshold, by the fit on stripes"
+                                   : "of exceeding the threshold, by the fit on capacities",
+                true}},
               {}};
   for (const RunResults& run : runs) {
     for (const ThresholdFragility& fragility : run.fragilities) {
       for (std::size_t i = 0; i < fragility.band.size(); ++i) {
         const double intensity = run.band_intensities[i];
-        table.add({run.label, fragility.threshold_m, intensity,
-                   Estimate{fragility.capacities.curve.probability(intensity), fragility.band[i]}});
+        table.add(
+            {run.label, fragility.threshold_m, intensity,
+             Estimate{fragility.curve_fit().curve.probability(intensity), fragility.band[i]}});
       }
     }
   }
@@ -260,7 +276,7 @@ Table fragility_summary_table(const Results& results) {
                  &fit == &fragility.stripes ? "stripes" : "capacities", fit_label(fragility)});
     }
   }
-  table = with_listed(results, table);
+  table = without_capacities(results, with_listed(results, table));
   if (lists_more_than_friction_value(results)) table = table.without("run");
   for (Column& column : table.columns)
     column.detail = column.stem == "method" || column.stem == "status";
@@ -354,12 +370,12 @@ Table stripes_table(const Results& results, std::span<const RunResults> runs) {
         "share of histories that exceed the threshold", true}},
       {}};
   for (const RunResults& run : runs) {
-    const double histories = histories_per_level(results, run);
     for (const ThresholdFragility& fragility : run.fragilities) {
       for (std::size_t l = 0; l < fragility.probability.size(); ++l) {
         const Interval interval = l < fragility.probability_interval.size()
                                       ? fragility.probability_interval[l]
                                       : Interval{};
+        const double histories = histories_at(results, run, l);
         table.add({run.label, fragility.threshold_m, results.levels.at(l), histories,
                    std::round(fragility.probability[l] * histories),
                    Estimate{fragility.probability[l], interval}});

@@ -1,11 +1,53 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "analysis/shape/threshold_data.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <tuple>
 
 #include "glissade/study/cases/case_scene.hpp"
 
 namespace glissade {
+
+namespace {
+
+/// Whether two records are one motion: all that is known of it as recorded is the same.
+bool is_same_motion(const RecordSummary& a, const RecordSummary& b) {
+  const auto known = [](const RecordSummary& r) {
+    return std::tuple(r.pga_g, r.pgv_mps, r.pgd_m, r.duration_s, r.dt_s, r.samples);
+  };
+  return known(a) == known(b);
+}
+
+}  // namespace
+
+std::vector<RecordStripes> multiple_stripes(const Results& results, CaseSlice cases,
+                                            double threshold_m) {
+  const HistoryTable& table = results.histories;
+  double free = 0.0;
+  for (std::size_t i = cases.first; i < cases.first + cases.count; ++i)
+    free += slides_freely(results.cases.cases[i]) ? 1.0 : 0.0;
+  std::vector<RecordStripes> motions;
+  std::vector<std::size_t> first_of;  // by motion: the first record that is it
+  for (std::size_t record = 0; record < table.records; ++record) {
+    const auto same = std::ranges::find_if(first_of, [&](std::size_t first) {
+      return is_same_motion(results.records[first], results.records[record]);
+    });
+    const auto motion = static_cast<std::size_t>(same - first_of.begin());
+    if (same == first_of.end()) {
+      first_of.push_back(record);
+      const std::vector<double> none(results.levels.size(), 0.0);
+      motions.push_back({none, none, free});
+    }
+    const std::size_t level = table.stripe_of[record];
+    motions[motion].trials[level] += static_cast<double>(cases.count) - free;
+    for (std::size_t i = cases.first; i < cases.first + cases.count; ++i)
+      if (!slides_freely(results.cases.cases[i]) &&
+          table.displacement_m(record, i, level) >= threshold_m)
+        motions[motion].exceedances[level] += 1.0;
+  }
+  return motions;
+}
 
 ThresholdData threshold_data(const Results& results, CaseSlice cases, std::size_t threshold) {
   const HistoryTable& table = results.histories;

@@ -14,6 +14,11 @@ struct ThresholdData {
 };
 ThresholdData threshold_data(const Results& results, CaseSlice cases, std::size_t threshold);
 
+/// Of multiple stripes, by motion: one that is in several stripes is one record of the data, whose
+/// histories depend on each other.
+std::vector<RecordStripes> multiple_stripes(const Results& results, CaseSlice cases,
+                                            double threshold_m);
+
 /// Of all thresholds, with the displacements where all of them are known.
 ShapeData shape_data(const Results& results, CaseSlice cases);
 
