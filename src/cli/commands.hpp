@@ -26,6 +26,9 @@ void add_init(CLI::App& program);
 /// What `glissade check` prints of a project. Throws InputError where it cannot run.
 void check_project(const std::filesystem::path& file, const std::filesystem::path& out);
 
+/// The same of a product file.
+void check_product(const std::filesystem::path& file, const std::filesystem::path& out);
+
 /// Throws InputError where a calculation cannot begin in the folder.
 void check_calculation_folder(const std::filesystem::path& out, bool overwrite);
 

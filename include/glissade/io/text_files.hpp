@@ -45,6 +45,8 @@ class TextFiles {
   /// @param name relative to `folder`, or absolute
   /// Throws InputError where it cannot be read (read_text_file).
   TextFile text_file(const std::filesystem::path& folder, const std::string& name);
+  /// A text in place of a file's own.
+  void put(const std::string& name, std::string text) { texts_[name] = std::move(text); }
   /// Whether a file is there, to be read by rank 0.
   bool is_there(const std::filesystem::path& file);
 

@@ -186,6 +186,30 @@ void write_finished_calculation(const CalculationIdentity& identity,
   write_text_file(folder / "run.json", json_text(json));
 }
 
+void write_finished_product(const CalculationIdentity& identity, const ProductSheet& sheet,
+                            int ranks, const fs::path& folder) {
+  CalculationJson numbers{{"product", sheet.product.name}};
+  for (const SheetTarget& of : sheet.targets) {
+    CalculationJson& json = numbers["targets"].emplace_back(
+        CalculationJson{{"sds_g", of.target.target.sds_g}, {"sd1_g", of.target.target.sd1_g}});
+    for (const ProductDisplacement& d : of.found.points) {
+      CalculationJson& row =
+          json["displacements"].emplace_back(CalculationJson{{"slope_deg", d.slope_deg},
+                                                             {"mu", d.mu},
+                                                             {"mean_m", d.slip.mean_m},
+                                                             {"design_m", d.design_m}});
+      if (of.target.hazard) row.update({{"event_m", d.event_m}, {"smaller_m", d.smaller_m}});
+    }
+  }
+  write_text_file(folder / "product.json", json_text(numbers));
+  CalculationJson json = head_of_calculation(identity, "finished");
+  json["program_version"] = sheet.program_version;
+  json["build"] = sheet.build;
+  json["finished_utc"] = now_utc();
+  json["ranks"] = ranks;
+  write_text_file(folder / "run.json", json_text(json));
+}
+
 std::string resume_calculation_command(const fs::path& folder) {
   return "glissade clearance --resume " + quoted_for_shell(folder.empty() ? "." : folder.string());
 }

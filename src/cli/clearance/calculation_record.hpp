@@ -5,6 +5,7 @@
 #include <string>
 
 #include "glissade/report/package.hpp"
+#include "glissade/report/product_sheet.hpp"
 
 // run.json and package.json of a calculation, in the folder above those of its two studies.
 namespace glissade::cli {
@@ -33,6 +34,10 @@ void write_begun_calculation(const CalculationIdentity& identity, const char* st
 void write_finished_calculation(const CalculationIdentity& identity,
                                 const CalculationPackage& package, int ranks,
                                 const std::filesystem::path& folder);
+
+/// The same of a product sheet: run.json and product.json.
+void write_finished_product(const CalculationIdentity& identity, const ProductSheet& sheet,
+                            int ranks, const std::filesystem::path& folder);
 
 /// "glissade clearance --resume DIR".
 std::string resume_calculation_command(const std::filesystem::path& folder);

@@ -10,6 +10,7 @@
 #include "glissade/core/file.hpp"
 #include "glissade/core/wrap.hpp"
 #include "glissade/design/design_clearance.hpp"
+#include "glissade/io/product_file.hpp"
 #include "glissade/io/project_file.hpp"
 #include "glissade/io/study_file.hpp"
 #include "glissade/io/suite_file.hpp"
@@ -99,7 +100,33 @@ void print_prescribed(const std::vector<PrescribedValue>& prescribed) {
   }
 }
 
+void print_end(const fs::path& file, const fs::path& out) {
+  check_calculation_folder(out, false);
+  put("{:<12}{}: free\n{:<12}glissade clearance {}\n", "folder", out.string(), "next",
+      file.string());
+}
+
 }  // namespace
+
+void check_product(const fs::path& file, const fs::path& out) {
+  const Product product = read_product(file);
+  const Suite suite = load_suite(product.suite);
+  const TrialFolder trial;
+  put("{:<12}{}\n", "product", wrapped(product.name, terminal_width, 12));
+  std::vector<std::string> shown;
+  for (std::size_t i = 0; i < product.targets.size(); ++i) {
+    const std::string name = fmt::format("target_{}", i + 1);
+    const Plan plan =
+        plan_of(trial.path() / (name + ".toml"), product_study(product, i, trial.path()), suite);
+    for (const std::string& warning : plan.warnings) {
+      if (std::ranges::find(shown, warning) != shown.end()) continue;
+      put("{}\n", wrapped("WARNING: " + warning, terminal_width, 2));
+      shown.push_back(warning);
+    }
+    print_plan(name.c_str(), plan);
+  }
+  print_end(file, out);
+}
 
 void check_project(const fs::path& file, const fs::path& out) {
   const Project project = read_project(file);
@@ -135,9 +162,7 @@ void check_project(const fs::path& file, const fs::path& out) {
   print_prescribed(prescribed);
   print_plan("demand", demand);
   print_plan("probability", probability);
-  check_calculation_folder(out, false);
-  put("{:<12}{}: free\n{:<12}glissade clearance {}\n", "folder", out.string(), "next",
-      file.string());
+  print_end(file, out);
 }
 
 }  // namespace glissade::cli

@@ -14,6 +14,7 @@
 #include "glissade/core/file.hpp"
 #include "glissade/core/wrap.hpp"
 #include "glissade/io/journal.hpp"
+#include "glissade/io/product_file.hpp"
 #include "glissade/io/project_file.hpp"
 #include "glissade/io/results_file.hpp"
 #include "glissade/io/study_file.hpp"
@@ -312,17 +313,19 @@ void add_run(CLI::App& program, const Communicator& world) {
 
   add_merge(program, world);
 
-  CLI::App* check = program.add_subcommand(
-      "check",
-      "What a study or project would run, its cost and warnings; nothing is run or written");
-  check->add_option("study", options->study, "study or project file (TOML); see studies/")
+  CLI::App* check = program.add_subcommand("check",
+                                           "What a study, project or product would run, its cost "
+                                           "and warnings; nothing is run or written");
+  check->add_option("study", options->study, "study, project or product file (TOML); see studies/")
       ->required();
   check->add_option("--out", options->out, "results folder to check [as of run]");
   check->callback([options, world] {
     bool of_project = false;
     on_root(world, [&] {
-      of_project = is_project(options->study);
-      if (of_project) check_project(options->study, options->folder());
+      const bool of_product = is_product(options->study);
+      of_project = of_product || is_project(options->study);
+      if (of_project)
+        (of_product ? check_product : check_project)(options->study, options->folder());
     });
     std::vector<char> ends(1, of_project ? 1 : 0);
     world.broadcast(ends);

@@ -12,6 +12,7 @@
 #include "glissade/core/wrap.hpp"
 #include "glissade/io/study_grammar.hpp"
 #include "glissade/study/config.hpp"
+#include "product/product_keys.hpp"
 #include "project/project_keys.hpp"
 #include "study/quantity_table.hpp"
 #include "toml/written_units.hpp"
@@ -313,13 +314,18 @@ std::string grammar_text(const std::string& wanted) {
   if (wanted.empty()) return text;
   const std::string of_project =
       text_of(project_grammar(), wanted, " of a project (glissade clearance)", project_text);
-  return text + (text.empty() || of_project.empty() ? "" : "\n") + of_project;
+  const std::string of_product =
+      text_of(product_grammar(), wanted, " of a product sheet (glissade clearance)", project_text);
+  for (const std::string& more : {of_project, of_product})
+    text += (text.empty() || more.empty() ? "" : "\n") + more;
+  return text;
 }
 
 std::string nearest_grammar_key(const std::string& wanted) {
   std::vector<std::string> names;
   for (const GrammarKey& key : grammar()) names.insert(names.end(), {key.table, key.key});
-  for (const GrammarKey& key : project_grammar()) names.push_back(key.key);
+  for (const auto* keys : {&project_grammar(), &product_grammar()})
+    for (const GrammarKey& key : *keys) names.push_back(key.key);
   return nearest_word(wanted.substr(wanted.find('.') + 1), names);  // of table.key the key
 }
 

@@ -170,9 +170,11 @@ StudyConfig read_study(const std::filesystem::path& file) {
 StudyConfig read_study(const std::filesystem::path& file, TextFiles& files) {
   TomlDocument document(file, &files);
   const TomlTable root = document.root();
-  if (!root.has("study") && root.has("project"))
-    throw InputError({file.string(), "is a project file, not a study",
-                      "run it with: glissade clearance " + file.string(), ""});
+  if (!root.has("study") && (root.has("project") || root.has("product")))
+    throw InputError(
+        {file.string(),
+         root.has("project") ? "is a project file, not a study" : "is a product file, not a study",
+         "run it with: glissade clearance " + file.string(), ""});
   if (!root.has("study") && !root.has("suite"))
     throw InputError({file.string(), "is neither a study, [study], nor a project, [project]",
                       "`glissade init` writes either", ""});

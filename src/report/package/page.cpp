@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <array>
-#include <sstream>
 
 #include "analysis/hazard/hazard.hpp"
 #include "glissade/core/file.hpp"
@@ -15,6 +14,7 @@
 #include "package/figures.hpp"
 #include "package/free_body.hpp"
 #include "package/print/pdf.hpp"
+#include "package/print/print_head.hpp"
 #include "package/print/printable.hpp"
 #include "package/print/symbols.hpp"
 #include "package/print/workbook.hpp"
@@ -25,28 +25,6 @@
 
 namespace glissade {
 namespace {
-
-constexpr Markup letter = "@page { size: letter; } @page wide { size: letter landscape; }";
-constexpr Markup a4 = "@page { size: A4; } @page wide { size: A4 landscape; }";
-constexpr Markup style = R"(
-@page { margin: 18mm 16mm 17mm; @bottom-left { content: element(footer); font: 8pt "Liberation Sans", Arial, sans-serif; } @bottom-right { content: "Page " counter(page) " of " counter(pages); font: 8pt "Liberation Sans", Arial, sans-serif; } }
-body { font-family: "Liberation Sans", Arial, Helvetica, sans-serif; }
-.footer { position: running(footer); margin: 0; font: 8pt "Liberation Sans", Arial, sans-serif; } @media screen { .footer { display: none; } }
-h2 { break-after: avoid; } sub, sup { font-size: .72em; line-height: 0; }
-.contents { columns: 2; list-style: none; padding: 0; } .contents a { color: inherit; text-decoration: none; }
-.equation { font-family: "Liberation Serif", "Times New Roman", serif; font-size: 1.1em; margin: .3em 0 .3em 2em; }
-caption { font-weight: bold; color: #222; } .note { font-weight: normal; }
-.title { display: flex; } .title > div:first-child { flex: 3; } .stamp { flex: 1.2; border: 1px solid #444; margin: 1em 0 1em 1.5em; padding: .4em; min-height: 11em; color: #555; font-size: .85em; }
-.plain caption, .answer caption, .title caption, .title th, .form th { display: none; } .form td { height: 1.9em; }
-.answer table { background: #fff; } .provisions td:first-child { white-space: nowrap; }
-.files td:last-child { font-family: monospace; overflow-wrap: anywhere; }
-@media print {
-  .short, li { break-inside: avoid; } h1 { font-size: 1.5em; margin-top: 0; } .answer ul, .warning ul { margin: .3em 0; padding-left: 1.4em; }
-  h2 { margin: 1em 0 .4em; font-size: 1.25em; } .contents a::after { content: " " leader(".") " " target-counter(attr(href), page); }
-  figure { max-width: 16.5cm; } .drawing svg { width: 13.2cm; } .files td:last-child { white-space: nowrap; } .files td, .inputs td:last-child { overflow-wrap: anywhere; }
-  pre { columns: 2; } table { margin: .5em 0; } p { margin: .5em 0; } .title table { margin: .6em 0; }
-}
-)";
 
 /// A heading that the contents point to.
 struct SectionHead {
@@ -451,26 +429,6 @@ Html files_html(const Table& files) {
   return Html("<div class=\"files\">\n") + page_table(page) + "</div>\n";
 }
 
-/// Without its comments, which are those of an example.
-std::string without_comments(const std::string& toml) {
-  std::string text;
-  std::istringstream lines(toml);
-  for (std::string line; std::getline(lines, line);) {
-    std::size_t end = 0;
-    char quote = 0;
-    while (end < line.size() && (quote != 0 || line[end] != '#')) {
-      if (quote == 0 ? line[end] == '"' || line[end] == '\'' : line[end] == quote)
-        quote = quote == 0 ? line[end] : '\0';
-      ++end;
-    }
-    const std::size_t last = line.substr(0, end).find_last_not_of(" \t\r");
-    if (last == std::string::npos) continue;
-    if (line[0] == '[' && !text.empty()) text += "\n";
-    text += line.substr(0, last + 1) + "\n";
-  }
-  return text;
-}
-
 Html inputs_html(const CalculationPackage& package) {
   Html html = section_heading(Section::inputs) +
               paragraph(fmt::format(
@@ -506,10 +464,9 @@ bool write_package(const CalculationPackage& package, const std::filesystem::pat
   for (DrawnFigure& drawn : figures) drawn.svg = printable(drawn.svg);
   const bool has_demand_figure = !project.of_roof && figures.size() > 2;
   const Html page =
-      page_head(
-          {project.title.name, "calculation of required separations", in_inches() ? letter : a4}) +
-      "<style>" + style + "</style>\n" +
-      enclosed("<p class=\"footer\">", footer_text(package), "</p>\n") +
+      print_head(
+          {project.title.name, "calculation of required separations", in_inches() ? letter : a4},
+          footer_text(package)) +
       paragraph(
           "Calculation of the seismic displacement of an unanchored rooftop solar array, and "
           "of its required separations") +

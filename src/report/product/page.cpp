@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "page/page.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "analysis/chart/view.hpp"
+#include "glissade/core/file.hpp"
+#include "glissade/core/wrap.hpp"
+#include "glissade/design/design_clearance.hpp"
+#include "glissade/report/format.hpp"
+#include "package/print/pdf.hpp"
+#include "package/print/print_head.hpp"
+#include "package/print/symbols.hpp"
+#include "package/print/workbook.hpp"
+#include "product/tables.hpp"
+
+namespace glissade {
+namespace {
+
+/// Each once.
+std::vector<std::string> warnings_of(const ProductSheet& sheet) {
+  std::vector<std::string> warnings;
+  if (sheet.is_simulated) warnings.emplace_back(simulated_motions_warning);
+  if (sheet.targets.front().found.of_largest)
+    warnings.emplace_back("fewer than 7 records: the largest counts in place of the mean");
+  for (const SheetTarget& of : sheet.targets)
+    for (const std::string& warning : of.warnings)
+      if (std::ranges::find(warnings, warning) == warnings.end()) warnings.push_back(warning);
+  return warnings;
+}
+
+std::vector<Table> shown_tables(const ProductSheet& sheet) {
+  std::vector<Table> tables{design_displacements_table(sheet)};
+  if (sheet.targets.front().target.hazard) tables.push_back(life_displacements_table(sheet));
+  tables.push_back(prescribed_displacements_table(sheet));
+  if (sheet.targets.front().found.period_s.size() > 1)
+    tables.push_back(displacements_by_period_table(sheet));
+  return tables;
+}
+
+std::string footer_of(const ProductSheet& sheet) {
+  const Product& product = sheet.product;
+  return product.name + (product.revision.empty() ? "" : ", revision " + product.revision) +
+         (product.date.empty() ? "" : ", " + product.date) +
+         (sheet.is_simulated ? ". SIMULATED MOTIONS: NOT FOR A PERMIT" : "");
+}
+
+std::vector<std::string> basis_of(const ProductSheet& sheet) {
+  const SheetTarget& first = sheet.targets.front();
+  std::vector<std::string> basis{
+      "Motions: " + first.suite +
+          ". For each site the suite is multiplied by one factor, so that its average SRSS "
+          "spectrum is the design spectrum of S_DS and S_D1 or more (Walters et al. 2012).",
+      first.counted, "Model: " + first.kernel + "."};
+  basis.emplace_back(
+      "Separations are the displacement times 0.5 between similar arrays, 1 to an obstruction or "
+      "an edge with a qualifying parapet, 2 to any other edge (ASCE 7-16, 13.6.12; there 4 ft or "
+      "more).");
+  return basis;
+}
+
+}  // namespace
+
+SheetTarget sheet_target(const Product& product, const ProductTarget& target,
+                         const Results& results) {
+  const SuiteSummary& suite = results.suites.front();
+  return {target,
+          displacements_of(product, target, results),
+          how_counted(results),
+          suite.name + (suite.description.empty() ? "" : ": " + suite.description),
+          results.model.kernel,
+          results.plan_hash,
+          results.warnings};
+}
+
+std::string sheet_screen(const ProductSheet& sheet) {
+  std::string text = wrapped(sheet.product.name, terminal_width, 0) + "\n";
+  text += wrapped(largest_sentence(sheet), terminal_width, 2) + "\n";
+  for (const std::string& warning : warnings_of(sheet))
+    text += wrapped("WARNING: " + warning, terminal_width, 2) + "\n";
+  return text + "\n" + to_text(design_displacements_table(sheet)) + "\n" +
+         to_text(prescribed_displacements_table(sheet));
+}
+
+bool write_product_sheet(const ProductSheet& sheet, const std::filesystem::path& out_dir,
+                         bool overwrite) {
+  const Product& product = sheet.product;
+  std::vector<Table> tables = shown_tables(sheet);
+  Html shown;
+  for (const Table& table : tables) shown += wide_table(table);
+  tables.push_back(all_displacements_table(sheet));
+  write_workbook(tables, out_dir / "product.xlsx");
+  write_parts({"product.html", std::move(tables), {}}, out_dir, overwrite);
+  const std::vector<std::string> warnings = warnings_of(sheet);
+  std::string plans;
+  for (const SheetTarget& of : sheet.targets) plans += (plans.empty() ? "" : ", ") + of.plan_hash;
+  const Html page =
+      print_head(
+          {product.name, "design displacements", product.unit == SheetUnit::metre ? a4 : letter},
+          footer_of(sheet)) +
+      paragraph("Design displacement of an unanchored rooftop solar array in an earthquake" +
+                (product.manufacturer.empty() ? "" : ". Manufacturer: " + product.manufacturer)) +
+      "<div class=\"answer\">\n" + list({largest_sentence(sheet)}) + "</div>\n" +
+      (warnings.empty()
+           ? Html()
+           : "<div class=\"warning\">\n<strong>Warnings</strong>\n" + list(warnings) + "</div>\n") +
+      shown + heading("What the displacements rest on") + list(basis_of(sheet)) +
+      heading("Program and input files") +
+      paragraph(fmt::format(
+          "glissade {} ({}); plans of the studies {}; product file SHA-256 {}, suite file SHA-256 "
+          "{}. The same files and version give the same numbers. All digits are in "
+          "tables/displacements.csv.",
+          sheet.program_version, sheet.build, plans, sheet.product_sha256, sheet.suite_sha256)) +
+      "<h3>Product file, without its comments</h3>\n" +
+      study_file(without_comments(product.source_text)) + page_foot();
+  write_text_file(out_dir / "product.html", with_symbols(page.str()));
+  return print_page(out_dir / "product.html");
+}
+
+}  // namespace glissade
