@@ -102,6 +102,7 @@ struct Project {
   TitleBlock title;
   UnitSystem units = UnitSystem::us_customary;
   ProjectSite site;
+  std::string site_name;  ///< of one of several sites or roofs; else empty
   ProjectBuilding building;
   std::vector<double> slope_deg;  ///< increasing, >= 0
   ProjectFriction friction;

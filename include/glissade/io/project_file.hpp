@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -12,6 +13,12 @@ namespace glissade {
 /// A project file (TOML; keys: project_example()). Throws InputError with everything that is wrong
 /// or missing, each with an example line.
 Project read_project(const std::filesystem::path& file);
+
+/// The names of the [[site]] of a project of several sites or roofs; empty: it has one [site].
+/// Throws InputError where one has no name or that of another.
+std::vector<std::string> site_names(const std::filesystem::path& file);
+/// The project of one of them: what [site.roof], [site.building] ... state replaces those tables.
+Project read_project(const std::filesystem::path& file, std::size_t site);
 
 /// Whether the file has the [project] of a project file, and is not a study. Throws InputError
 /// where it is not TOML.

@@ -70,7 +70,7 @@ void CalculationFolder::begin(
     if (resumes && now.project_sha256 != identity_.project_sha256)
       throw InputError({file.string(), "was changed since the calculation began",
                         "undo the change, or begin again with --overwrite", ""});
-    if (resumes && is_whole(studies_)) {
+    if (resumes && !is_part_ && is_whole(studies_)) {
       put("{} is finished: {}\n", path_.string(), (path_ / (page_ + ".html")).string());
       throw ExitStatus{0};
     }

@@ -22,11 +22,12 @@ struct ClearanceOptions {
 class CalculationFolder {
  public:
   /// @param page of its file: "package", "product"
-  CalculationFolder(const ClearanceOptions& options, const Communicator& world, const char* page)
-      : options_(options), world_(world), page_(page) {}
+  CalculationFolder(const ClearanceOptions& options, const Communicator& world, const char* page,
+                    bool is_part = false)
+      : options_(options), world_(world), page_(page), is_part_(is_part) {}
 
   /// Takes the folder on root; all ranks know its path. Throws ExitStatus 0 where --resume finds it
-  /// whole.
+  /// whole, unless the calculation is part of another one.
   /// @param read on root, the project file: gives the names of its studies
   void begin(const std::function<std::vector<std::string>(const std::filesystem::path&)>& read);
   /// Runs a study of the folder: the file, NAME.toml, is written on root, and run on all ranks.
@@ -45,6 +46,7 @@ class CalculationFolder {
   const ClearanceOptions& options_;
   const Communicator& world_;
   std::string page_;
+  bool is_part_;
   std::filesystem::path path_;
   std::vector<std::string> studies_;  // on root, as the lock
   std::unique_ptr<RunLock> lock_;
@@ -55,7 +57,7 @@ class CalculationFolder {
 std::string page_text(const std::filesystem::path& folder, const std::string& page,
                       bool is_printed);
 
-/// Both studies of a project and its package.
+/// Both studies of a project and its package; of several sites those of each, and their summary.
 void run_calculation(const ClearanceOptions& options, const Communicator& world);
 /// The studies of a product and its sheet.
 void run_product(const ClearanceOptions& options, const Communicator& world);

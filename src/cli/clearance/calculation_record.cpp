@@ -186,6 +186,26 @@ void write_finished_calculation(const CalculationIdentity& identity,
   write_text_file(folder / "run.json", json_text(json));
 }
 
+void write_finished_sites(const CalculationIdentity& identity, const SiteSheets& sheets, int ranks,
+                          const fs::path& folder) {
+  CalculationJson numbers{{"name", sheets.name}};
+  for (const SiteSheet& site : sheets.sites)
+    numbers["sites"].push_back(
+        {{"name", site.name},
+         {"folder", site.folder},
+         {"sds_g", site.sds_g},
+         {"s1_g", site.s1_g ? CalculationJson(*site.s1_g) : CalculationJson()},
+         {"design_friction", site.friction},
+         {"governing_m", site.governing_m},
+         {"largest_required_m", site.largest_required_m},
+         {"verdict", site.verdict}});
+  write_text_file(folder / "sites.json", json_text(numbers));
+  CalculationJson json = head_of_calculation(identity, "finished");
+  json["finished_utc"] = now_utc();
+  json["ranks"] = ranks;
+  write_text_file(folder / "run.json", json_text(json));
+}
+
 void write_finished_product(const CalculationIdentity& identity, const ProductSheet& sheet,
                             int ranks, const fs::path& folder) {
   CalculationJson numbers{{"product", sheet.product.name}};

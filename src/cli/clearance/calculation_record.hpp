@@ -6,6 +6,7 @@
 
 #include "glissade/report/package.hpp"
 #include "glissade/report/product_sheet.hpp"
+#include "glissade/report/site_sheets.hpp"
 
 // run.json and package.json of a calculation, in the folder above those of its two studies.
 namespace glissade::cli {
@@ -35,6 +36,9 @@ void write_finished_calculation(const CalculationIdentity& identity,
                                 const CalculationPackage& package, int ranks,
                                 const std::filesystem::path& folder);
 
+/// The same of several sites: run.json and sites.json.
+void write_finished_sites(const CalculationIdentity& identity, const SiteSheets& sheets, int ranks,
+                          const std::filesystem::path& folder);
 /// The same of a product sheet: run.json and product.json.
 void write_finished_product(const CalculationIdentity& identity, const ProductSheet& sheet,
                             int ranks, const std::filesystem::path& folder);

@@ -128,8 +128,9 @@ void check_product(const fs::path& file, const fs::path& out) {
   print_end(file, out);
 }
 
-void check_project(const fs::path& file, const fs::path& out) {
-  const Project project = read_project(file);
+namespace {
+
+void check_one(const Project& project) {
   const LengthUnits units(project.units);
   const SiteValues site = site_values(project.site);
   const std::vector<PrescribedValue> prescribed = prescribed_values(project, site);
@@ -162,6 +163,17 @@ void check_project(const fs::path& file, const fs::path& out) {
   print_prescribed(prescribed);
   print_plan("demand", demand);
   print_plan("probability", probability);
+}
+
+}  // namespace
+
+void check_project(const fs::path& file, const fs::path& out) {
+  const std::size_t sites = site_names(file).size();
+  if (sites == 0) check_one(read_project(file));
+  for (std::size_t i = 0; i < sites; ++i) {
+    check_one(read_project(file, i));
+    put("\n");
+  }
   print_end(file, out);
 }
 

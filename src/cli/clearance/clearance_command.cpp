@@ -17,6 +17,7 @@
 #include "glissade/io/suite_file.hpp"
 #include "glissade/parallel/together.hpp"
 #include "glissade/report/package.hpp"
+#include "glissade/report/site_sheets.hpp"
 #include "output_rule.hpp"
 #include "put.hpp"
 
@@ -37,12 +38,20 @@ std::vector<ComponentFile> component_files(const fs::path& suite) {
 /// Both studies and the package.
 class Calculation {
  public:
-  Calculation(const ClearanceOptions& options, const Communicator& world)
-      : options_(options), world_(world), folder_(options, world, "package") {}
+  /// @param site of several; none: the project has one
+  Calculation(const ClearanceOptions& options, const Communicator& world,
+              std::optional<std::size_t> site = {})
+      : options_(options),
+        world_(world),
+        site_(site),
+        folder_(options, world, "package", site.has_value()) {}
+
+  const Project& project() const { return *project_; }
+  const SiteSheet& sheet() const { return sheet_; }
 
   void run() {
     folder_.begin([&](const fs::path& file) {
-      project_ = read_project(file);
+      project_ = site_ ? read_project(file, *site_) : read_project(file);
       return std::vector<std::string>{"demand", "probability"};
     });
     try {
@@ -78,21 +87,78 @@ class Calculation {
     const bool is_printed = write_package(package, out, options_.overwrite);
     write_finished_calculation(folder_.identity(), package, world_.size(), out);
     folder_.give_back();
-    put("{}\nPackage  {}\n", package_screen(package), page_text(out, "package", is_printed));
+    sheet_ = site_sheet(package, out.filename().string());
+    if (!site_)
+      put("{}\nPackage  {}\n", package_screen(package), page_text(out, "package", is_printed));
   }
 
   const ClearanceOptions& options_;
   const Communicator& world_;
+  std::optional<std::size_t> site_;
   CalculationFolder folder_;
-  std::optional<Project> project_;  // on root, as all below
+  SiteSheet sheet_;  // on root, as all below
+  std::optional<Project> project_;
   std::optional<Results> demand_;
   std::optional<DesignClearance> design_;
 };
 
+std::string site_folder(std::size_t site) { return fmt::format("site_{}", site + 1); }
+
+/// A calculation for each site, in a folder of its own, and their summary.
+void run_sites(const ClearanceOptions& options, const Communicator& world, std::size_t sites) {
+  CalculationFolder folder(options, world, "sites");
+  folder.begin([&](const fs::path& project) {
+    std::vector<std::string> studies;
+    for (std::size_t i = 0; i < sites; ++i) {
+      static_cast<void>(read_project(project, i));  // nothing runs where one is wrong
+      for (const char* study : {"demand", "probability"})
+        studies.push_back(site_folder(i) + "/" + study);
+    }
+    return studies;
+  });
+  try {
+    SiteSheets sheets;
+    for (std::size_t i = 0; i < sites; ++i) {
+      const std::string part = (folder.path() / site_folder(i)).string();
+      std::vector<char> goes_on(1);
+      on_root(world, [&] { goes_on[0] = !options.resume.empty() && is_calculation(part) ? 1 : 0; });
+      world.broadcast(goes_on);
+      const ClearanceOptions of_site{.project = folder.identity().project.string(),
+                                     .out = goes_on[0] != 0 ? "" : part,
+                                     .resume = goes_on[0] != 0 ? part : "",
+                                     .overwrite = options.overwrite || !options.resume.empty()};
+      Calculation calculation(of_site, world, i);
+      calculation.run();
+      if (!world.is_root()) continue;
+      const Project& project = calculation.project();
+      sheets.name = project.title.name.substr(
+          0, project.title.name.size() - std::string(": ").size() - project.site_name.size());
+      sheets.units = project.units;
+      sheets.sites.push_back(calculation.sheet());
+    }
+    on_root(world, [&] {
+      const bool is_printed = write_site_sheets(sheets, folder.path(), options.overwrite);
+      write_finished_sites(folder.identity(), sheets, world.size(), folder.path());
+      folder.give_back();
+      put("{}\nSummary  {}\n", sites_screen(sheets), page_text(folder.path(), "sites", is_printed));
+    });
+  } catch (const ExitStatus& exit) {
+    if (world.is_root()) folder.leave(exit.status);
+    throw;
+  }
+}
+
 }  // namespace
 
 void run_calculation(const ClearanceOptions& options, const Communicator& world) {
-  Calculation(options, world).run();
+  std::vector<char> sites;  // one for each
+  on_root(world, [&] {
+    sites.resize(site_names(options.resume.empty() ? fs::path(options.project)
+                                                   : read_calculation(options.resume).project)
+                     .size());
+  });
+  world.broadcast(sites);
+  sites.empty() ? Calculation(options, world).run() : run_sites(options, world, sites.size());
 }
 
 void check_calculation_folder(const fs::path& out, bool overwrite) {

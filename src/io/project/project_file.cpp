@@ -111,6 +111,9 @@ void read_site(const TomlTable& table, Project& project) {
                                                                   {"IV", RiskCategory::iv}})
                           .value_or(project.site.risk);
   project.spectrum_file = table.text("spectrum").value_or("");
+  project.site_name = table.text("name").value_or("");
+  if (!project.site_name.empty()) project.title.name += ": " + project.site_name;
+  project.title.address = table.text("address").value_or(project.title.address);
   const bool is_whole = has("edition") && (has("spectrum") || (has("ss_g") && has("s1_g")) ||
                                            (has("sds_g") && has("sd1_g")));
   if (!is_whole) return table.ignore_unknown();  // what is missing has been reported
@@ -432,8 +435,12 @@ bool is_project(const std::filesystem::path& file) {
   return document.root().has("project") && !document.root().has("study");
 }
 
-Project read_project(const std::filesystem::path& file) {
+namespace {
+
+/// @param site of [[site]]; none: the file has one [site]
+Project read_one(const fs::path& file, std::optional<std::size_t> site) {
   TomlDocument document(file);
+  if (site) document.choose("site", *site);
   const TomlTable root = document.root();
   if (!root.has("project") && root.has("study"))
     throw InputError({file.string(), "is a study file, not a project",
@@ -459,6 +466,34 @@ Project read_project(const std::filesystem::path& file) {
   if (root.problem_count() == 0) check_project(root, project);
   document.finish();
   return project;
+}
+
+}  // namespace
+
+std::vector<std::string> site_names(const fs::path& file) {
+  TomlDocument document(file);
+  const TomlTable root = document.root();
+  root.ignore_unknown();
+  std::vector<std::string> names;
+  if (!root.is_array("site")) return names;
+  for (const TomlTable& table : root.tables("site")) {
+    table.ignore_unknown();
+    names.push_back(table.required_text("name", "[[site]] needs a name: name = \"Roof B\""));
+    if (std::ranges::count(names, names.back()) > 1)
+      table.report("name", "two sites are named " + names.back(), "give each a name of its own");
+  }
+  document.finish();
+  return names;
+}
+
+Project read_project(const fs::path& file, std::size_t site) { return read_one(file, site); }
+
+Project read_project(const fs::path& file) {
+  if (const std::vector<std::string> names = site_names(file); !names.empty())
+    throw InputError({file.string(),
+                      fmt::format("has {} sites, and one is needed here", names.size()),
+                      "give a project with one [site] in place of [[site]]", ""});
+  return read_one(file, {});
 }
 
 }  // namespace glissade

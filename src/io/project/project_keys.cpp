@@ -24,6 +24,10 @@ const std::vector<GrammarKey> keys = {
     {"project", "units", "\"us\"", in_example, "\"us\" (in, ft) or \"si\" (m), of the report"},
     {"site", "edition", "\"asce7_16\"", required,
      "\"asce7_10\", \"asce7_16\" or \"asce7_22\" (with a spectrum, or sds_g and sd1_g)"},
+    {"site", "name", "\"Roof B\"", alternative,
+     "of one of several sites or roofs, each a [[site]] in place of [site]; [site.roof], "
+     "[site.building] ... after it are in place of the project's"},
+    {"site", "address", "\"1 Main Street\"", alternative, "in place of the project's"},
     {"site", "ss_g", "1.5", required, "S_S, g"},
     {"site", "s1_g", "0.6", required, "S_1, g"},
     {"site", "site_class", "\"D\"", required, "\"A\" to \"E\", or \"default\""},

@@ -222,6 +222,26 @@ TomlTable TomlDocument::root() {
   return {state_.get(), &state_->root, ""};
 }
 
+void TomlDocument::choose(std::string_view key, std::size_t element) {
+  toml::table& root = state_->root;
+  toml::array* elements = root.get_as<toml::array>(key);
+  GLISSADE_EXPECTS(elements != nullptr && element < elements->size() &&
+                   (*elements)[element].is_table());
+  toml::table chosen = std::move(*(*elements)[element].as_table());
+  const toml::key name = root.find(key)->first;
+  root.erase(key);
+  for (auto at = chosen.begin(); at != chosen.end();) {
+    if (!at->second.is_table() && !at->second.is_array_of_tables()) {
+      ++at;
+      continue;
+    }
+    root.erase(at->first.str());
+    at->second.visit([&](auto& value) { root.insert(at->first, std::move(value)); });
+    at = chosen.erase(at);
+  }
+  root.insert(name, std::move(chosen));
+}
+
 const std::string& TomlDocument::text() const { return state_->source.text(); }
 
 std::string TomlDocument::text_in_key_units() const {

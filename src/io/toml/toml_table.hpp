@@ -58,6 +58,9 @@ class TomlDocument {
   TomlDocument& operator=(const TomlDocument&) = delete;
 
   TomlTable root();
+  /// [[key]] in the place of [key]: one of its elements is the table, and a table within that
+  /// replaces the document's of the same name. Expects that there is such an element.
+  void choose(std::string_view key, std::size_t element);
   const std::string& text() const;
   /// The text with every quantity that was read and is written with a unit as a number in the unit
   /// of its key: "18 in" of a length in metres is 0.4572.

@@ -11,6 +11,7 @@
 #include "glissade/motion/suite_scaling.hpp"
 #include "glissade/report/format.hpp"
 #include "glissade/report/package.hpp"
+#include "glissade/report/site_sheets.hpp"
 #include "package/figures.hpp"
 #include "package/free_body.hpp"
 #include "package/print/pdf.hpp"
@@ -112,6 +113,21 @@ Html answer_html(const CalculationPackage& package) {
                verdict_sentence(package)}) +
          wide_table(separations) +
          (open.empty() ? Html() : "<strong>Open items</strong>\n" + list(open)) + "</div>\n";
+}
+
+/// Of all clearances that are stated.
+std::string short_verdict(const CalculationPackage& package) {
+  const std::string where_wide = verdict_where_wide_enough(package);
+  const std::vector<ProjectSeparation>& all = package.design.separations;
+  if (where_wide == "not applicable") return where_wide;
+  if (std::ranges::any_of(all, [](const ProjectSeparation& s) {
+        return s.available_m && *s.available_m < s.required.value_m;
+      }))
+    return "not sufficient";
+  return std::ranges::any_of(all,
+                             [](const ProjectSeparation& s) { return s.available_m.has_value(); })
+             ? where_wide
+             : "not stated";
 }
 
 Html scope_html(const CalculationPackage& package) {
@@ -443,6 +459,38 @@ Html inputs_html(const CalculationPackage& package) {
 }
 
 }  // namespace
+
+SiteSheet site_sheet(const CalculationPackage& package, const std::string& folder) {
+  const LengthUnits units(package.project.units);
+  const Project& project = package.project;
+  SiteSheet sheet{.name = project.site_name,
+                  .folder = folder,
+                  .sds_g = package.design.site.sds_g,
+                  .friction = project.friction.design(),
+                  .governing_m = package.design.governing_m,
+                  .is_simulated = package.files.empty(),
+                  .verdict = short_verdict(package)};
+  const DesignTarget& target = project.site.mapped ? *project.site.mapped : project.site.target;
+  if (target.s1_g > 0.0) sheet.s1_g = target.s1_g;
+  for (const ProjectSeparation& s : package.design.separations)
+    sheet.largest_required_m = std::max(sheet.largest_required_m, s.required.value_m);
+  const ProjectBuilding& building = project.building;
+  sheet.page =
+      "<section class=\"site\">\n" + heading(project.title.name) + answer_html(package) +
+      paragraph(fmt::format(
+          "{}S_DS {:.3f} g, S_D1 {:.3f} g, seismic design category {}. Building: {}. Roof: "
+          "slope {}. Friction: mean {:.3f}, standard deviation {:.3f}.",
+          project.title.address.empty() ? "" : project.title.address + ". ",
+          package.design.site.sds_g, package.design.site.sd1_g,
+          category_text(project.site, package.design.site),
+          project.of_roof ? std::string("in the motions of its roof")
+                          : "period " + range_text(building.period_s, " s") +
+                                (building.alpha.empty() ? ", one mass" : ", modes"),
+          range_text(project.slope_deg, " degrees"), project.friction.mean, project.friction.std)) +
+      warnings_html(package) + paragraph("The whole calculation: " + folder + "/package.pdf.") +
+      "</section>\n";
+  return sheet;
+}
 
 bool write_package(const CalculationPackage& package, const std::filesystem::path& out_dir,
                    bool overwrite) {

@@ -15,6 +15,7 @@
 #include "glissade/fragility/hazard.hpp"
 #include "glissade/motion/improbable.hpp"
 #include "glissade/report/format.hpp"
+#include "package/print/print_head.hpp"
 #include "package/units.hpp"
 #include "text/study_text.hpp"
 
@@ -177,7 +178,7 @@ std::string footer_text(const CalculationPackage& package) {
   const TitleBlock& title = package.project.title;
   return title.name + (title.revision.empty() ? "" : ", revision " + title.revision) +
          (title.date.empty() ? "" : ", " + title.date) +
-         (package.files.empty() ? ". SIMULATED MOTIONS: NOT FOR A PERMIT" : "");
+         (package.files.empty() ? simulated_footer : "");
 }
 
 Table record_displacements_table(const CalculationPackage& package) {

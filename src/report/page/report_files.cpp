@@ -21,7 +21,8 @@ constexpr const char* list_name = "report_files.txt";
 
 /// The list may have been written by anybody.
 bool is_of_a_report(const std::string& name) {
-  constexpr std::array<const char*, 3> pages{"report.html", "package.html", "product.html"};
+  constexpr std::array<const char*, 4> pages{"report.html", "package.html", "product.html",
+                                             "sites.html"};
   constexpr std::array<const char*, 5> endings{"tables/.csv", "figures/.svg", "figures/.pdf",
                                                "figures/.gp", "figures/.dat"};
   const fs::path path(name);

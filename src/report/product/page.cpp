@@ -44,7 +44,7 @@ std::string footer_of(const ProductSheet& sheet) {
   const Product& product = sheet.product;
   return product.name + (product.revision.empty() ? "" : ", revision " + product.revision) +
          (product.date.empty() ? "" : ", " + product.date) +
-         (sheet.is_simulated ? ". SIMULATED MOTIONS: NOT FOR A PERMIT" : "");
+         (sheet.is_simulated ? simulated_footer : "");
 }
 
 std::vector<std::string> basis_of(const ProductSheet& sheet) {

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "glissade/report/site_sheets.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "glissade/core/file.hpp"
+#include "glissade/core/wrap.hpp"
+#include "package/print/pdf.hpp"
+#include "package/print/print_head.hpp"
+#include "package/print/symbols.hpp"
+#include "package/print/workbook.hpp"
+#include "package/units.hpp"
+
+namespace glissade {
+namespace {
+
+constexpr Markup site_pages =
+    "<style>\n.site { break-before: page; break-inside: avoid; }\n</style>\n";
+
+Table sites_table(const SiteSheets& sheets) {
+  const LengthUnits units(sheets.units);
+  Table table{
+      "sites",
+      "Sites: governing displacement, largest required separation, verdict",
+      {text_column("site", "Site"), text_column("sds", "S_DS"), text_column("s1", "S_1"),
+       text_column("friction", "Friction"), text_column("governing", "Governing displacement"),
+       text_column("required", "Largest required separation"), text_column("verdict", "Verdict"),
+       text_column("folder", "Package")},
+      {},
+      {"Friction: mean - 2 std. Verdict: on the clearances that are stated; open: see the "
+       "page of the site."}};
+  for (const SiteSheet& site : sheets.sites)
+    table.add({site.name, fmt::format("{:.3f} g", site.sds_g),
+               site.s1_g ? fmt::format("{:.3f} g", *site.s1_g) : std::string("-"),
+               fmt::format("{:.3f}", site.friction), length_in(site.governing_m),
+               length_in(site.largest_required_m), site.verdict, site.folder});
+  return table;
+}
+
+}  // namespace
+
+std::string sites_screen(const SiteSheets& sheets) {
+  return wrapped(sheets.name, terminal_width, 0) + "\n" + to_text(sites_table(sheets));
+}
+
+bool write_site_sheets(const SiteSheets& sheets, const std::filesystem::path& out_dir,
+                       bool overwrite) {
+  const Table table = sites_table(sheets);
+  write_workbook({table}, out_dir / "sites.xlsx");
+  write_parts({"sites.html", {table}, {}}, out_dir, overwrite);
+  const bool is_simulated = std::ranges::any_of(sheets.sites, &SiteSheet::is_simulated);
+  Html page = print_head({sheets.name, "required separations by site",
+                          sheets.units == UnitSystem::us_customary ? letter : a4},
+                         sheets.name + (is_simulated ? simulated_footer : "")) +
+              site_pages +
+              paragraph(
+                  "Seismic displacement of unanchored rooftop solar arrays, and their "
+                  "required separations, by site") +
+              wide_table(table);
+  for (const SiteSheet& site : sheets.sites) page += site.page;
+  write_text_file(out_dir / "sites.html", with_symbols((page + page_foot()).str()));
+  return print_page(out_dir / "sites.html");
+}
+
+}  // namespace glissade
