@@ -18,6 +18,7 @@ using Triangle = std::array<std::size_t, 3>;       // nodes, increasing
 
 void link_if_crossed(const Triangle& nodes, const GridValues& grid, double value, Links& links) {
   const auto z = [&](std::size_t node) { return grid.z[node]; };
+  if (!std::isfinite(z(nodes[0]) + z(nodes[1]) + z(nodes[2]))) return;
   std::vector<Edge> crossed;
   for (const Edge& edge :
        {Edge{nodes[0], nodes[1]}, Edge{nodes[0], nodes[2]}, Edge{nodes[1], nodes[2]}}) {
@@ -40,12 +41,22 @@ std::vector<double> refined(const std::vector<double>& axis) {
   return fine;
 }
 
-/// At an end whatever the other is; else not finite where one of them is not (std::lerp from
-/// infinity gives the finite end).
+/// At an end whatever the other is (std::lerp from infinity gives the finite end).
 double between(double low, double high, double share) {
   if (share == 0.0) return low;
   if (share == 1.0) return high;
   return low + share * (high - low);
+}
+
+/// Between the corners of a cell, which its row and the next one begin with; where one of them is
+/// infinite by their inverses, so that the value grows towards it.
+double in_cell(const double* corner, std::size_t width, double x, double y) {
+  std::array z{corner[0], corner[1], corner[width], corner[width + 1]};
+  const bool by_inverse = std::ranges::any_of(z, [](double value) { return std::isinf(value); });
+  if (by_inverse)
+    for (double& value : z) value = 1.0 / value;
+  const double found = between(between(z[0], z[1], x), between(z[2], z[3], x), y);
+  return by_inverse ? 1.0 / found : found;
 }
 
 /// The same surface with parts x parts as many cells.
@@ -59,21 +70,18 @@ GridValues refined(const GridValues& grid) {
       const double x = static_cast<double>(i - parts * column) / parts;
       const double y = static_cast<double>(j - parts * row) / parts;
       const double* corner = &grid.z[row * width + column];
-      fine.z.push_back(between(between(corner[0], corner[1], x),
-                               between(corner[width], corner[width + 1], x), y));
+      fine.z.push_back(in_cell(corner, width, x, y));
     }
   }
   return fine;
 }
 
-/// Of the parts of cells with four finite corners.
-Links crossed_edges(const GridValues& coarse, const GridValues& grid, double value) {
+/// Of the triangles with three finite corners.
+Links crossed_edges(const GridValues& grid, double value) {
   Links links;
-  const std::size_t width = grid.x.size(), cells = coarse.x.size();
+  const std::size_t width = grid.x.size();
   for (std::size_t j = 0; j + 1 < grid.y.size(); ++j) {
     for (std::size_t i = 0; i + 1 < width; ++i) {
-      const double* corner = &coarse.z[j / parts * cells + i / parts];
-      if (!std::isfinite(corner[0] + corner[1] + corner[cells] + corner[cells + 1])) continue;
       const std::size_t least = j * width + i, largest = least + width + 1;
       link_if_crossed({least, least + 1, largest}, grid, value, links);
       link_if_crossed({least, least + width, largest}, grid, value, links);
@@ -114,7 +122,7 @@ std::vector<Polyline> contour_lines(const GridValues& coarse, double value) {
   GLISSADE_EXPECTS(coarse.x.size() >= 2 && coarse.y.size() >= 2);
   GLISSADE_EXPECTS(coarse.z.size() == coarse.x.size() * coarse.y.size());
   const GridValues grid = refined(coarse);
-  Links links = crossed_edges(coarse, grid, value);
+  Links links = crossed_edges(grid, value);
   std::vector<Edge> ends;
   for (const auto& [edge, next] : links) {
     if (next.size() == 1) ends.push_back(edge);

@@ -42,9 +42,28 @@ std::string as_format(const std::string& label) {
 constexpr std::size_t title_width = 78, panel_title_width = 28, below_width = 90;
 constexpr std::size_t tick_width = 18;  // beside the y axis
 
+/// In lines of at most `width` characters, nearly equal ones. A number stays with its unit, and the
+/// name of a standard is whole.
+std::vector<std::string> even_lines(std::string text, std::size_t width) {
+  constexpr std::string_view no_break_space = "\u00a0", standard = "ASCE 7-";
+  for (std::size_t i = 1; i + 1 < text.size(); ++i) {
+    const bool of_number = std::isdigit(static_cast<unsigned char>(text[i - 1])) != 0 &&
+                           std::isalpha(static_cast<unsigned char>(text[i + 1])) != 0;
+    const bool of_standard = i >= 4 && text.compare(i - 4, standard.size(), standard) == 0;
+    if (text[i] == ' ' && (of_number || of_standard)) text.replace(i, 1, no_break_space);
+  }
+  std::vector<std::string> lines = wrapped(text, width);
+  while (lines.size() > 1 && width > 1) {
+    std::vector<std::string> narrower = wrapped(text, --width);
+    if (narrower.size() > lines.size()) break;
+    lines = std::move(narrower);
+  }
+  return lines;
+}
+
 /// The text in lines no longer than the figure is wide.
 void add_lines(Script& script, const std::string& text, std::size_t width, Quoted::Weight weight) {
-  const std::vector<std::string> lines = wrapped(text, width);
+  const std::vector<std::string> lines = even_lines(text, width);
   for (std::size_t i = 0; i < lines.size(); ++i)
     script.add("{}{}", i == 0 ? Word("") : Word(".\"\\n\"."), Quoted(lines[i], weight));
 }
@@ -193,7 +212,7 @@ int key_rows(const Figure& figure) {
 int title_lines(const Figure& figure) {
   std::size_t lines = 1;
   for (const Panel& panel : figure.panels)
-    lines = std::max(lines, wrapped(panel.title, panel_title_width).size());
+    lines = std::max(lines, even_lines(panel.title, panel_title_width).size());
   return static_cast<int>(lines);
 }
 
@@ -307,8 +326,8 @@ Figure labelled(Figure figure) {
   std::ranges::transform(figure.panels, figure.panels.begin(), in_logarithms);
   if (!figure.labels_at_lines) return figure;
   constexpr double line_px = 20.0;  // of the heading; two are usual
-  const double heading = static_cast<double>(wrapped(figure.title, title_width).size() +
-                                             wrapped(figure.below, below_width).size());
+  const double heading = static_cast<double>(even_lines(figure.title, title_width).size() +
+                                             even_lines(figure.below, below_width).size());
   const PanelSize size =
       figure.panels.size() > 1
           ? PanelSize{330.0, 270.0}

@@ -9,6 +9,7 @@
 #include <limits>
 #include <map>
 
+#include "glissade/core/finite.hpp"
 #include "glissade/report/format.hpp"
 
 namespace glissade {
@@ -179,6 +180,42 @@ std::string friction_of(const Results& results, const RunResults& run) {
   constexpr std::size_t room = 60;
   return run.friction_description.size() <= room ? "friction " + run.friction_description
                                                  : run_name(results, run);
+}
+
+namespace {
+
+/// "1.19 to 4.76": what a number of the cases is, whatever its sign; empty where it is 0.
+std::string range_of(const Results& results, CaseSlice cases, double Case::*of) {
+  double low = infinity, high = 0.0;
+  for (std::size_t i = cases.first; i < cases.first + cases.count; ++i) {
+    const double value = std::abs(results.cases.cases[i].*of);
+    low = std::min(low, value);
+    high = std::max(high, value);
+  }
+  if (high == 0.0) return "";
+  return (low == high ? "" : fmt::format("{:.3g} to ", low)) + fmt::format("{:.3g}", high);
+}
+
+}  // namespace
+
+std::string cases_below(const Results& results, CaseSlice cases) {
+  std::string suites;
+  for (const SuiteSummary& suite : results.suites)
+    suites += (suites.empty() ? "" : ", ") + suite.name;
+  const std::string slope = range_of(results, cases, &Case::slope_deg),
+                    periods = range_of(results, cases, &Case::period_s),
+                    ratio = range_of(results, cases, &Case::mass_ratio);
+  return suites + ", " + counts_of(results) + "; " +
+         (slope.empty() ? "flat roof" : "slope " + slope + " degrees") + ", " +
+         (results.suites.front().of_roof ? "motions of the roof"
+          : periods.empty()              ? "rigid building"
+                                         : "buildings of T " + periods + " s" +
+                                  (results.model.modes.empty() ? "" : " with several modes")) +
+         (ratio.empty() ? "" : ", m/M " + ratio);
+}
+
+std::string run_below(const Results& results, const RunResults& run) {
+  return cases_below(results, slice_of(run)) + "; " + friction_of(results, run);
 }
 
 std::vector<double> some_levels(const std::vector<double>& levels, std::size_t count) {

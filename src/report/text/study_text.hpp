@@ -79,6 +79,10 @@ std::string governing_text(const Results& results);
 /// "friction mu normal, mean 0.55, std 0.04" where a line has room for it, else the run's name:
 /// captions have it in full.
 std::string friction_of(const Results& results, const RunResults& run);
+/// Below the title of a figure: "synthetic_far_field, 22 records x 64 samples; slope 1.19 to 4.76
+/// degrees, buildings of T 0.2 to 2 s, m/M 0.05". Of a run also its friction.
+std::string cases_below(const Results& results, CaseSlice cases);
+std::string run_below(const Results& results, const RunResults& run);
 /// Up to `count` of the levels, spread evenly, the highest included.
 std::vector<double> some_levels(const std::vector<double>& levels, std::size_t count);
 

@@ -99,6 +99,7 @@ class ContourPlot {
   /// A line or an area of the reader's map that is no contour, named in the key.
   void add_outline(DataSeries series, const Polyline& points) {
     append(series, points);
+    if (series.kind == DataSeries::Kind::line) outlines_.push_back(points);
     panel_.series.push_back(std::move(series));
   }
 
@@ -152,11 +153,11 @@ class ContourPlot {
       const bool is_clear = inside(box) && std::ranges::none_of(taken_, [&](const TextBox& other) {
                               return overlap(box, other);
                             });
-      const bool hides = std::ranges::any_of(labels_, [&](const Label& other) {
-        return &other != &label && std::ranges::any_of(other.lines, [&](const Polyline& line) {
-          return crosses(box, line);
-        });
-      });
+      const auto is_crossed = [&](const Polyline& line) { return crosses(box, line); };
+      const bool hides = std::ranges::any_of(outlines_, is_crossed) ||
+                         std::ranges::any_of(labels_, [&](const Label& other) {
+                           return &other != &label && std::ranges::any_of(other.lines, is_crossed);
+                         });
       const double off = std::abs(box.centre.x + box.centre.y - 1.0) + (hides ? 2.0 : 0.0);
       if (!is_clear || off >= least) continue;
       least = off;
@@ -172,6 +173,7 @@ class ContourPlot {
   GridValues grid_;
   Panel panel_;
   std::vector<Label> labels_;
+  std::vector<Polyline> outlines_;
   std::vector<TextBox> taken_;
 };
 
@@ -238,14 +240,14 @@ Figure chart_contours_figure(const Results& results) {
   const std::size_t level = nearest(results.levels, chart.shown_level);
   const bool one_record = is_one_record(results);
   Figure figure{
-      "chart_contours",
-      one_record ? "Peak slip over friction and roof slope"
-                 : design_title(results) + " over friction and roof slope",
+      "chart_contours", shown_title(results) + " over friction and roof slope",
       at_intensity(results, results.levels[level]) + "; " + results.suites.front().name + "; " +
           building_text(results),
       (one_record ? "Lines of equal peak slip"
                   : "Lines of equal " + design_name(results) + ", " + clearance_rule(results)) +
-          "; what linear interpolation in tables/chart.csv gives. Find the coefficient of friction "
+          "; what linear interpolation in tables/chart.csv gives, and of the inverses beside the "
+          "grey "
+          "region. Find the coefficient of friction "
           "below and the slope at the left: the line through that point is the " +
           (one_record ? "slip" : design_name(results)) +
           "; or follow a line to the friction that a slope needs. Grey: friction cannot stop the "

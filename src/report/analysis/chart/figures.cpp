@@ -130,7 +130,9 @@ Figure chart_slope_figure(const Results& results) {
                                                      : "Thick: the " + design_name(results) + ", " +
                                                            clearance_rule(results) +
                                                            "; thin: percentiles, and the largest.";
-  return {"chart_slope", "Slip over the slope of the roof",
+  return {"chart_slope",
+          shown_title(results) + (is_one_record(results) ? "" : " and percentiles of slip") +
+              " over the slope of the roof",
           suite_text(results) + at_intensity(results, shown.level) + "; " + friction_text(shown.mu),
           caption_of(results, reading) + out_of_range,
           drawn(panel, "Displacement in plan", prescribed)};
@@ -156,9 +158,7 @@ Figure chart_friction_figure(const Results& results) {
                           line.slope_limit());
   }
   if (!limits.empty()) limits += " degrees";
-  return {"chart_friction",
-          is_one_record(results) ? "Peak slip over friction, by roof slope"
-                                 : design_title(results) + " over friction, by roof slope",
+  return {"chart_friction", shown_title(results) + " over friction, by roof slope",
           suite_text(results) + at_intensity(results, level) + limits,
           caption_of(results,
                      "Read up from the coefficient of friction to the curve of the roof's "
@@ -176,7 +176,7 @@ Figure chart_intensity_figure(const Results& results) {
                   lines_by(results, "mu", mu, spread(mu.size(), most_curves),
                            [](const Results&, double value) { return friction_text(value); }),
                   shown_but(results, "level", "mu")};
-  return {"chart_intensity", "Slip over intensity, by friction",
+  return {"chart_intensity", shown_title(results) + " over intensity, by friction",
           suite_text(results) + "slope " + degrees(shown_point(results).slope_deg),
           caption_of(results, "The " + design_name(results) +
                                   " over intensity, a curve for each coefficient of friction: none "
@@ -192,7 +192,7 @@ Figure chart_slope_levels_figure(const Results& results) {
       lines_by(results, "level", results.levels, levels,
                [](const Results& of, double level) { return with_unit(of, brief(level)); }),
       shown_but(results, "slope", "level")};
-  return {"chart_slope_levels", "Slip over the slope of the roof, by intensity",
+  return {"chart_slope_levels", shown_title(results) + " over the slope of the roof, by intensity",
           suite_text(results) + friction_text(shown_point(results).mu) + "; a curve per level, " +
               results.intensity_label,
           caption_of(results, "The " + design_name(results) +
@@ -223,7 +223,9 @@ Figure chart_period_figure(const Results& results) {
         }))
       prescribed.push_back({line, panel.x.low, panel.x.high});
   }
-  return {"chart_period", "Slip over the period of the building",
+  return {"chart_period",
+          (one_record ? "Peak slip of one record" : "Mean, 95th percentile and largest slip") +
+              std::string(" over the period of the building"),
           fmt::format("{}{}; slope {}; {}", suite_text(results), at_intensity(results, point.level),
                       degrees(point.slope_deg), friction_text(point.mu)),
           caption_of(results, one_record

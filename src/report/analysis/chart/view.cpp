@@ -28,6 +28,10 @@ std::string design_name(const Results& results) {
 
 std::string design_title(const Results& results) { return capitalised(design_name(results)); }
 
+std::string shown_title(const Results& results) {
+  return design_title(results) + (is_one_record(results) ? " of one record" : "");
+}
+
 std::string clearance_rule(const Results& results) {
   const double factor = clearance_factor(results);
   return fmt::format(

@@ -42,15 +42,18 @@ Figure period_figure(const Results& results) {
   const ConditionGrid& grid = results.conditions->grid;
   constexpr std::size_t most_lines = 3;  // beside the clearance
   Places members = places_of(grid, vertical, mass);
-  double largest_m = 0.0;  // of all, drawn or not
-  for (const Condition& at : members)
-    largest_m =
-        std::max(largest_m, mean_by(results.clearance->orientation,
-                                    means_by_orientation(results, {}, at, Periods::largest)));
+  const auto mean_m = [&](const Condition& at) {
+    return mean_by(results.clearance->orientation,
+                   means_by_orientation(results, {}, at, Periods::largest));
+  };
+  const Condition governing = *std::ranges::max_element(members, {}, mean_m);
+  const double largest_m = mean_m(governing);
   std::vector<ConditionAxis> same{slope, level, response_modification, support, period, listed};
-  if (members.size() > most_lines) {
-    members = shown_along(grid, mass);
+  std::string below = below_text(results, {mass, vertical});
+  if (members.size() > most_lines) {  // with the vertical motion of the largest
+    members = along(grid, mass, governing);
     same.push_back(vertical);
+    below += ", " + label_of(grid, vertical, governing);
   }
   const View view = medians_over(results, period, clearance_periods_table(results), members,
                                  [&](const Condition& at) {
@@ -65,9 +68,9 @@ Figure period_figure(const Results& results) {
       fmt::format("clearance, {:g} x the largest mean{}: {}", results.clearance->factor,
                   rule_text(results), format_length(clearance_m));
   return {"period",
-          "Displacement over the building's period at " +
+          "Mean displacement over the building's period at " +
               label_of(grid, level, shown_condition(grid)) + ", and the clearance",
-          below_text(results, {mass, vertical}),
+          below,
           after_walters(
               results, 13,
               ". All records have the same orientation: the median over the orientations is drawn, "
@@ -100,6 +103,14 @@ double sds_of(const SuiteSummary& suite) {
   return is_mce ? largest(suite.spectra.target_g) / mce_over_dbe : 0.0;
 }
 
+/// Of the names of the suites: "synthetic_level" of "synthetic_level0", "synthetic_level1".
+std::string common_begin(const std::vector<SuiteSummary>& suites) {
+  std::string common = suites.front().name;
+  for (const SuiteSummary& suite : suites)
+    common.erase(std::ranges::mismatch(common, suite.name).in1, common.end());
+  return common;
+}
+
 /// Fig. 14: displacement over the suites.
 Figure level_figure(const Results& results) {
   View view = by_building(results, support, clearance_periods_table(results));
@@ -107,31 +118,37 @@ Figure level_figure(const Results& results) {
   view.where.clear();
   const bool by_sds = std::ranges::all_of(
       results.suites, [](const SuiteSummary& suite) { return sds_of(suite) > 0.0; });
+  const std::string common = common_begin(results.suites);
   for (const SuiteSummary& suite : results.suites) {
     const auto place = static_cast<double>(view.places.size());
-    view.places.push_back({suite.name, by_sds ? Tick{sds_of(suite)} : Tick{place, suite.name}});
+    view.places.push_back(
+        {suite.name,
+         {place, suite.name.substr(common.size()) +
+                     (by_sds ? fmt::format(" (S_DS {:.3g} g)", sds_of(suite)) : "")}});
   }
-  return {
-      "level",
-      "Displacement over the design spectral acceleration",
-      conditions_text(results, shown_condition(results.conditions->grid), {period, support}),
-      after_walters(results, 14),
-      {means_panel(results, {view}, by_sds ? "S_DS of the suite's design spectrum (g)" : "Suite")}};
+  return {"level",
+          "Mean displacement by suite",
+          conditions_text(results, shown_condition(results.conditions->grid), {period, support}),
+          after_walters(results, 14),
+          {means_panel(results, {view},
+                       (common.ends_with("level") ? "Intensity Level" : "Suite " + common + "...") +
+                           std::string(by_sds ? " (S_DS of its design spectrum)" : ""))}};
 }
 
 /// Fig. 15: displacement over R, relative to that of the reference strength.
 Figure yielding_figure(const Results& results) {
   const std::string reference = reference_strength_text(results.conditions->grid);
-  const View view = by_building(results, response_modification, clearance_yielding_table(results));
+  View view = by_building(results, response_modification, clearance_yielding_table(results));
+  keep_rows(view.table, view.x, [](double r) { return r > 0.0; });  // 0 is elastic
   return {"yielding",
-          "Effect of a yielding building on the displacement",
+          "Mean displacement on a yielding building over that on " + reference,
           below_text(results, {response_modification}),
           after_walters(
               results, 15,
               ", over the same on " + reference +
                   ". At R the building yields where the design spectrum requires an elastic force "
-                  "R times as large; 0 is elastic"),
-          {means_panel(results, {view}, "Response modification R (0: elastic)",
+                  "R times as large"),
+          {means_panel(results, {view}, "Response modification R",
                        {{Rule::Kind::horizontal, 1.0, look(Role::reference), reference}},
                        {"Displacement over that on " + reference, ColumnKind::number})}};
 }
@@ -150,7 +167,7 @@ Figure slope_figure(const Results& results) {
   if (has_several(grid, period))
     views.push_back(by_building(results, slope, clearance_periods_table(results), most));
   return {"slope",
-          "Displacement over the roof's slope",
+          "Mean displacement over the roof's slope",
           below_text(results, {slope}),
           after_walters(results, 17) + left_out_text(results, most),
           {means_panel(results, views, "Roof slope (rise in 12)")}};
@@ -167,14 +184,14 @@ Figure mce_figure(const Results& results) {
   Look rule = family_look(shown[level], levels.size());
   rule.dash = 2;
   const std::string label =
-      fmt::format("largest over periods and orientations at {}: {}", label_of(grid, level, shown),
-                  format_length(largest.highest));
+      fmt::format("largest over the periods at {}: {}", label_of(grid, level, shown),
+                  format_length(largest.median));
   return {"mce",
-          "Displacement at several levels of shaking",
+          "Mean displacement over the building's period, by level of shaking",
           below_text(results, {level}),
           after_walters(results, 18),
           {means_panel(results, {view}, period_label,
-                       {{Rule::Kind::horizontal, largest.highest, rule, label}})}};
+                       {{Rule::Kind::horizontal, largest.median, rule, label}})}};
 }
 
 /// Displacement over the roof's vertical period by the building's.
@@ -183,10 +200,10 @@ Figure vertical_figure(const Results& results) {
   constexpr std::size_t most = 4;
   View view = by_building(results, vertical, clearance_periods_table(results), most);
   view.spread = DataSeries::Kind::bars;
-  view.apart = 0.05;
+  view.apart = 0.16;
   for (ViewLine& line : view.lines) {  // names have nothing between them
     line.kind = as_points;
-    line.look.symbol_size = 1.4;
+    line.look.symbol_size = 0.9;
   }
   const ConditionGrid& grid = results.conditions->grid;
   for (std::size_t i = 0; i < grid.vertical.size(); ++i) {
@@ -198,7 +215,7 @@ Figure vertical_figure(const Results& results) {
     view.places.push_back({condition_cell(results, vertical, i), {static_cast<double>(i), name}});
   }
   return {"vertical",
-          "Effect of the roof's vertical motion on the displacement",
+          "Mean displacement by vertical motion of the roof, on several buildings",
           below_text(results, {vertical}),
           std::string(of_roof ? "None: no vertical motion. With: that of the suite. "
                               : "None: no vertical motion. Rigid: the roof moves vertically with "

@@ -101,7 +101,7 @@ Figure fragility_figure(const Results& results, const RunResults& run) {
   Figure figure{
       main_run ? "fragility" : "fragility_" + run.label,
       "Probability that the array slips more than a clearance (" + run_name(results, run) + ")",
-      counts_of(results) + "; " + friction_of(results, run),
+      run_below(results, run),
       "Probability that the peak slip in plan exceeds each clearance at a given intensity, with "
       "friction " +
           run.friction_description +
@@ -165,7 +165,7 @@ LevelSlips slips_at(const HistoryTable& histories, CaseSlice cases, std::size_t 
 Figure ida_figure(const Results& results, const RunResults& run) {
   const HistoryTable& slip = results.histories;
   Figure figure{"ida", "Incremental dynamic analysis: slip at increasing intensity",
-                counts_of(results) + "; " + friction_of(results, run),
+                run_below(results, run),
                 "Intensity (vertical) over peak slip in plan (horizontal), as is the convention of "
                 "incremental dynamic analysis. Grey: each record's median over the samples. "
                 "Coloured: 16th, 50th and 84th percentile over all histories (records and samples "

@@ -110,7 +110,8 @@ std::string summary(const Results& results) {
 Figure rare_figure(const Results& results) {
   const RareResults& rare = *results.rare;
   Figure figure{"rare", "Probability that slip reaches the clearance",
-                counts_of(results) + "; 95 % intervals: bars of the samples, shaded over records",
+                cases_below(results, {0, results.cases.size()}) +
+                    "; 95 % intervals: bars of the samples, shaded over records",
                 "Lines: estimate. Bars: 95 % interval of the samples, from independent scrambles. "
                 "Shaded: 95 % interval over records. Quantities without bounds are drawn from "
                 "wider distributions, with weights."};

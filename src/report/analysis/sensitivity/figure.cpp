@@ -87,7 +87,7 @@ Figure spread_figure(const Results& results) {
   Figure figure{
       "sensitivity", "Where the spread of the capacity comes from, by clearance",
       "Dark: alone. Light, in brackets: with interactions. Line below: 95 % interval of alone. " +
-          counts_of(results),
+          cases_below(results, {0, results.cases.size()}),
       fmt::format("Capacity: the intensity ({}) at which slip reaches the clearance of the panel; "
                   "log std: its logarithmic standard deviation. Bars: Sobol indices of ln capacity "
                   "in percent of its variance. Dark: the reduction of the variance if the factor "
@@ -109,7 +109,7 @@ Figure spread_over_intensity_figure(const Results& results) {
       "sensitivity_levels",
       fmt::format("What decides whether slip reaches {}, by intensity",
                   format_length(shown.threshold_m)),
-      counts_of(results),
+      cases_below(results, {0, results.cases.size()}),
       fmt::format(
           "{} of whether slip reaches the clearance (0 or 1). Levels at which {:g} to {:g} % of "
           "the histories exceed. Other clearances, and intervals: tables/sensitivity_levels.csv.",

@@ -28,7 +28,7 @@ DataSeries observed(const Results& results, const ThresholdFragility& fragility)
 }
 
 DataSeries interval_bars(const Results& results, const ThresholdFragility& fragility) {
-  DataSeries series{DataSeries::Kind::bars, {{0x777777}, 1.0}, "observed, 95 % interval"};
+  DataSeries series{DataSeries::Kind::bars, {{0xbbbbbb}, 1.0}, "observed, 95 % interval"};
   for (std::size_t l = 0; l < results.levels.size(); ++l)
     series.add(results.levels[l], fragility.probability_interval[l]);
   return series;
@@ -62,7 +62,8 @@ DataSeries of_model(const Results& results, const ThresholdFragility& fragility,
 void mark_gap(Panel& panel, const ThresholdFragility& fragility) {
   const GoodnessOfFit& fit = fragility.lognormal;
   if (!departs_from_lognormal(fit) || !(fit.gap_intensity < panel.x.high)) return;
-  panel.rules.push_back({Rule::Kind::vertical, fit.gap_intensity, look(Role::reference)});
+  panel.rules.push_back(
+      {Rule::Kind::vertical, fit.gap_intensity, look(Role::reference), "largest gap"});
 }
 
 /// Below this difference from the lognormal a model is not drawn: the lines would be one.
@@ -126,8 +127,8 @@ Figure shape_figure(const Results& results) {
   const std::vector<ThresholdFragility>& fragilities = results.runs.front().fragilities;
   const auto [best, worst] = std::ranges::minmax_element(fragilities, {}, gap_of);
   Figure figure{
-      "shape", "Observed exceedance, the lognormal, and models that differ from it",
-      counts_of(results) + "; " + friction_of(results, results.runs.front()),
+      "shape", "Probability that slip exceeds a clearance: observed, lognormal and other models",
+      run_below(results, results.runs.front()),
       "Points: observed share of histories that exceed the clearance. Lines: the lognormal fitted "
       "to capacities, and other models fitted to the shares at the levels. Two-part: probability "
       "of any slip times that of its size. One surface: lognormals of all clearances with one log "

@@ -42,7 +42,7 @@ Figure slip_vs_sds_figure(const Results& results, const RunResults& run) {
   Figure figure{"slip_vs_sds",
                 std::string("Slip at increasing design intensity") +
                     (has_standards ? ", and what the standards prescribe" : ""),
-                counts_of(results) + "; " + friction_of(results, run),
+                run_below(results, run),
                 "Peak slip in plan over all histories at each S_DS: median, 84th and 95th "
                 "percentile and mean; shaded: 95 % intervals of the median and of the 84th "
                 "percentile from resampling whole records. Friction " +
