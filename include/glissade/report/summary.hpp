@@ -14,9 +14,9 @@ namespace glissade {
 /// chart the clearance at the shown point and what was read off.
 std::vector<std::string> answer_sentences(const Results& results);
 
-/// For the terminal, in plain ASCII: fragilities, the comparison with standards at a handful of
-/// levels (of a design chart clearances over slope and friction and the sentences above), `skips`
-/// (of a run; not in the results file), notes.
+/// For the terminal, in plain ASCII: the first of these sentences, warnings, fragilities, the
+/// comparison with standards at a handful of levels (of a design chart clearances over slope and
+/// friction and the sentences above), `skips` (of a run; not in the results file), notes.
 std::string summary_text(const Results& results, const std::vector<Skip>& skips = {});
 
 }  // namespace glissade

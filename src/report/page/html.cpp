@@ -119,7 +119,7 @@ std::string html_report(const Results& results, const std::vector<DrawnFigure>& 
   const Html page =
       page_head({results.study_name, "sliding of an unanchored solar array"}) +
       (results.study_description.empty() ? Html() : paragraph(results.study_description)) +
-      warnings_html(results) + answer_html(answers) + paragraph(what_was_run(results)) +
+      answer_html(answers) + warnings_html(results) + paragraph(what_was_run(results)) +
       figures_html(figures) + rest_html(answers) + analyses_html(results) +
       assumptions_html(results) + skips_and_notes_html(results, skips) + inputs_html(results) +
       paragraph(fmt::format(

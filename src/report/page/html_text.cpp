@@ -23,13 +23,18 @@ Html Html::text(std::string_view plain) {
 Html Html::drawing(const std::string& svg, std::string_view label) {
   Html html;
   html.page_ = svg.substr(std::min(svg.find("<svg"), svg.size()));
-  // gnuplot's title, its name of the terminal, which browsers show over all of the drawing.
-  const std::string_view begin = "<title>", end = "</title>";
-  const std::size_t at = html.page_.find(begin);
-  if (at < html.page_.find("<g ") && html.page_.find("GNUPLOT") != std::string::npos)
+  // Its own title, which browsers show over all of the drawing.
+  const std::string_view begin = "<title>", end = "</title>", description = "<desc id=\"";
+  const std::size_t first_group = html.page_.find("<g ");
+  if (const std::size_t at = html.page_.find(begin); at < first_group)
     html.page_.erase(at, html.page_.find(end, at) + end.size() - at);
-  if (html.page_.starts_with("<svg"))
-    html.page_.insert(4, " role=\"img\" aria-label=\"" + text(label).page_ + "\"");
+  std::string attributes = " role=\"img\" aria-label=\"" + text(label).page_ + "\"";
+  if (const std::size_t at = html.page_.find(description); at < html.page_.find("<g ")) {
+    const std::size_t id = at + description.size();
+    attributes +=
+        " aria-describedby=\"" + html.page_.substr(id, html.page_.find('"', id) - id) + "\"";
+  }
+  if (html.page_.starts_with("<svg")) html.page_.insert(4, attributes);
   return html;
 }
 

@@ -20,16 +20,18 @@ std::string summary_text(const Results& results, const std::vector<Skip>& skips)
   const auto line = [](const std::string& whole) {
     return wrapped(whole, terminal_width, 2) + "\n";
   };
-  std::string text = line(fmt::format("{}: {} x {} x {}, displacements in plan", results.study_name,
-                                      counted(results.records.size(), "record"),
-                                      draws ? counted(results.cases.samples, "sample")
-                                            : counted(results.cases.size(), "case"),
-                                      levels_of_each(results))) +
-                     line("Model: " + results.model.kernel) +
-                     line("Orientation: " + describe(orientation_choice(results.cases)));
+  std::string text = line(fmt::format(
+      "{}: {} x {} x {}, displacements in plan", results.study_name,
+      counted(results.records.size(), "record"),
+      draws ? counted(results.cases.samples, "sample") : counted(results.cases.size(), "case"),
+      levels_of_each(results)));
+  if (const std::vector<std::string> answers = answer_sentences(results); !answers.empty())
+    text += line(answers.front());
+  for (const std::string& warning : results.warnings) text += line("WARNING: " + warning);
+  text += "\n" + line("Model: " + results.model.kernel) +
+          line("Orientation: " + describe(orientation_choice(results.cases)));
   if (const std::string target = target_text(results); !target.empty())
     text += line("Design target: " + target);
-  for (const std::string& warning : results.warnings) text += line("WARNING: " + warning);
   for (const AnalysisReport& analysis : analyses_in(results)) {
     if (analysis.summary != nullptr) text += "\n" + analysis.summary(results);
   }

@@ -18,9 +18,13 @@ struct PanelSize {
 /// entry stays where the label is too long for it.
 void label_lines(Panel& panel, const PanelSize& size);
 
-/// gnuplot's drawing of a figure with a title at each point that says what it is, "84th percentile:
-/// Period (s) 1.23, Displacement 2.6 in (0.066 m)", and at each line its name, which browsers show,
-/// in place of the titles that only number the plots.
+/// What is to be seen, for who does not see it: axes, and of each line its ends and its largest
+/// value.
+std::string description_of(const Figure& figure);
+
+/// gnuplot's drawing of a figure with its title and description, with a title at each point that
+/// says what it is, "84th percentile: Period (s) 1.23, Displacement 2.6 in (0.066 m)", and at each
+/// line its name, which browsers show, in place of the titles that only number the plots.
 std::string with_tooltips(const std::string& svg, const Figure& figure);
 
 }  // namespace glissade

@@ -98,13 +98,29 @@ std::string with_titles(const std::string& plot, const std::vector<std::string>&
   return count == titles.size() ? text + plot.substr(from) : plot;
 }
 
+/// Between the first begin and end of a tag; nothing where it is not there.
+void replace_element(std::string& svg, const std::string& begin, const std::string& end,
+                     const std::string& by) {
+  const std::size_t from = svg.find(begin), to = svg.find(end, from);
+  if (to != std::string::npos) svg.replace(from, to + end.size() - from, by);
+}
+
+/// In place of those of gnuplot.
+std::string with_description(std::string head, const Figure& figure) {
+  replace_element(head, "<title>", "</title>", title(figure.title));
+  replace_element(head, "<desc>", "</desc>",
+                  "<desc id=\"" + figure.name.text() + "_desc\">" +
+                      Html::text(description_of(figure)).str() + "</desc>");
+  return head;
+}
+
 }  // namespace
 
 std::string with_tooltips(const std::string& svg, const Figure& figure) {
   const std::string name = gnuplot::identifier(figure.name).text() + "_plot_";
   const std::string plot_begin = "<g id=\"" + name;
   std::size_t at = svg.find(plot_begin);
-  std::string text = svg.substr(0, at);
+  std::string text = with_description(svg.substr(0, at), figure);
   while (at != std::string::npos) {
     const std::size_t next = svg.find(plot_begin, at + 1);
     std::string one = svg.substr(at, next - at);
