@@ -6,6 +6,7 @@
 #include "glissade/report/format.hpp"
 #include "glissade/report/html.hpp"
 #include "glissade/report/tables.hpp"
+#include "package/print/printable.hpp"
 #include "page/page.hpp"
 
 namespace glissade {
@@ -13,8 +14,9 @@ namespace glissade {
 void write_report(const Results& results, const std::filesystem::path& out_dir,
                   const std::vector<Skip>& skips, bool overwrite) {
   const LengthUnits units(results.units);
-  const std::vector<DrawnFigure> figures =
+  std::vector<DrawnFigure> figures =
       write_parts({"report.html", csv_tables(results), make_figures(results)}, out_dir, overwrite);
+  for (DrawnFigure& drawn : figures) drawn.svg = printable(drawn.svg);
   write_text_file(out_dir / "report.html", html_report(results, figures, skips));
 }
 

@@ -41,22 +41,12 @@ std::vector<double> refined(const std::vector<double>& axis) {
   return fine;
 }
 
-/// At an end whatever the other is (std::lerp from infinity gives the finite end).
+/// At an end whatever the other is; from a finite value to infinity by their inverses.
 double between(double low, double high, double share) {
   if (share == 0.0) return low;
   if (share == 1.0) return high;
+  if (std::isinf(low) || std::isinf(high)) return 1.0 / ((1.0 - share) / low + share / high);
   return low + share * (high - low);
-}
-
-/// Between the corners of a cell, which its row and the next one begin with; where one of them is
-/// infinite by their inverses, so that the value grows towards it.
-double in_cell(const double* corner, std::size_t width, double x, double y) {
-  std::array z{corner[0], corner[1], corner[width], corner[width + 1]};
-  const bool by_inverse = std::ranges::any_of(z, [](double value) { return std::isinf(value); });
-  if (by_inverse)
-    for (double& value : z) value = 1.0 / value;
-  const double found = between(between(z[0], z[1], x), between(z[2], z[3], x), y);
-  return by_inverse ? 1.0 / found : found;
 }
 
 /// The same surface with parts x parts as many cells.
@@ -70,7 +60,8 @@ GridValues refined(const GridValues& grid) {
       const double x = static_cast<double>(i - parts * column) / parts;
       const double y = static_cast<double>(j - parts * row) / parts;
       const double* corner = &grid.z[row * width + column];
-      fine.z.push_back(in_cell(corner, width, x, y));
+      fine.z.push_back(between(between(corner[0], corner[1], x),
+                               between(corner[width], corner[width + 1], x), y));
     }
   }
   return fine;

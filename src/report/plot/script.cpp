@@ -216,6 +216,14 @@ int title_lines(const Figure& figure) {
   return static_cast<int>(lines);
 }
 
+/// Of the heading beyond the usual two lines.
+int more_heading_px(const Figure& figure) {
+  constexpr int line_px = 20;
+  const std::size_t lines =
+      even_lines(figure.title, title_width).size() + even_lines(figure.below, below_width).size();
+  return line_px * (static_cast<int>(lines) - 2);
+}
+
 /// Characters of a label of the y axis, as long as that is high.
 std::size_t label_width(const Figure& figure) {
   return figure.panels.size() > 1 ? 34 : static_cast<std::size_t>(figure.plot_height_px) / 14;
@@ -325,13 +333,8 @@ Panel in_logarithms(Panel panel) {
 Figure labelled(Figure figure) {
   std::ranges::transform(figure.panels, figure.panels.begin(), in_logarithms);
   if (!figure.labels_at_lines) return figure;
-  constexpr double line_px = 20.0;  // of the heading; two are usual
-  const double heading = static_cast<double>(even_lines(figure.title, title_width).size() +
-                                             even_lines(figure.below, below_width).size());
-  const PanelSize size =
-      figure.panels.size() > 1
-          ? PanelSize{330.0, 270.0}
-          : PanelSize{730.0, figure.plot_height_px - 210.0 - line_px * (heading - 2.0)};
+  const PanelSize size = figure.panels.size() > 1 ? PanelSize{330.0, 270.0}
+                                                  : PanelSize{730.0, figure.plot_height_px - 210.0};
   for (Panel& panel : figure.panels) {
     panel.x = drawable(panel.x);
     panel.y = drawable(panel.y);
@@ -356,9 +359,10 @@ std::string script_of(const Figure& unlabelled, const Drawings& to) {
   const int width_px = 840;
   constexpr int key_px = 24, title_px = 40;  // a line, and as much of the plot: the key needs both
   const int panel_px = 420 + title_px * (title_lines(figure) - 1);
-  const int height_px = figure.panels.size() > 1
-                            ? 60 + panel_rows(figure) * (panel_px + key_px * rows)
-                            : figure.plot_height_px + key_px * rows;
+  const int height_px =
+      more_heading_px(figure) + (figure.panels.size() > 1
+                                     ? 60 + panel_rows(figure) * (panel_px + key_px * rows)
+                                     : figure.plot_height_px + key_px * rows);
   Script script;
   script.add(
       "# Draw again with: gnuplot {}.gp\n"

@@ -114,12 +114,20 @@ TEST(chart_contours, follow_the_surface_of_the_made_up_chart) {
   }
 }
 
-TEST(chart_contours, stay_out_of_cells_that_slide_freely) {
+// From 0.3 to 0.1 m at the middle; from infinity to 0.1 m where its inverse is 5: at half, too.
+TEST(chart_contours, go_on_beside_a_corner_that_slides_freely) {
   const double infinity = std::numeric_limits<double>::infinity();
   const Figure figure = figure_named(two_by_two({0.3, 0.1, infinity, 0.1}), "chart_contours");
-  EXPECT_EQ(numbers_in(series_named(figure, "contour 0.2 m")), 0u);
-  for (const Note& note : figure.panels[0].notes)
-    EXPECT_EQ(note.text.find(" m"), std::string::npos);
+  const DataSeries line = series_named(figure, "contour 0.2 m");
+  ASSERT_GT(numbers_in(line), 2u);
+  const Axis &x = figure.panels[0].x, &y = figure.panels[0].y;
+  std::vector<double> ends;
+  for (std::size_t i = 0; i < line.x.size(); ++i)
+    if (line.y[i] == y.low || line.y[i] == y.high) ends.push_back(line.x[i]);
+  ASSERT_GE(ends.size(), 2u);
+  EXPECT_EQ(*std::ranges::min_element(line.y), y.low);
+  EXPECT_EQ(*std::ranges::max_element(line.y), y.high);
+  for (const double end : ends) EXPECT_NEAR(end, 0.5 * (x.low + x.high), 1e-9);
 }
 
 TEST(chart_contours, shade_where_gravity_alone_moves_the_array) {

@@ -280,6 +280,67 @@ TEST(clearance_report, the_figure_over_periods_hides_no_larger_clearance_than_it
   EXPECT_DOUBLE_EQ(clearance_figures(r)[1].panels.at(0).rules.at(0).at, 22 * inch);
 }
 
+// Twice the displacement without vertical motion, which is not at the first place.
+TEST(clearance_report, the_clearance_of_the_figure_over_periods_is_of_the_lines_that_it_has) {
+  Results r = made_up();
+  r.conditions->grid.support = {ArraySupport::isolated};
+  r.conditions->grid.mass_ratio = {0.05, 0.1};
+  r.conditions->grid.vertical = {{VerticalChoice::if_available, 0.0}, {VerticalChoice::none, 0.0}};
+  r.conditions->histories.clear();
+  for (const int record : {1, 3})
+    for (int o = 0; o < 4; ++o)
+      for (const int vertical : {1, 2})
+        for (int mass = 0; mass < 2; ++mass)
+          for (int p = 0; p < 2; ++p)
+            r.conditions->histories.push_back(
+                {.displacement_m = inch * (o + 1) * (p + 1) * record * vertical});
+  analyse(r);
+  const Figure figure = clearance_figures(r)[1];
+  double largest_m = 0.0;
+  for (const DataSeries& line : curves_of(figure))
+    largest_m = std::max(largest_m, *std::ranges::max_element(line.y));
+  EXPECT_DOUBLE_EQ(largest_m, 20 * inch);
+  EXPECT_DOUBLE_EQ(figure.panels.at(0).rules.at(0).at, 1.1 * largest_m);
+  EXPECT_THAT(figure.below, states("no vertical motion"));
+}
+
+Figure figure_of(Results r, const std::string& name) {
+  analyse(r);
+  return figure_named(clearance_figures(r), name);
+}
+
+TEST(clearance_report, the_line_at_the_design_earthquake_is_what_the_text_says) {
+  Results r = made_up();
+  r.conditions->grid.support = {ArraySupport::isolated};
+  r.conditions->grid.level = {2.0 / 3, 1.0};
+  const Rule line = figure_of(r, "mce").panels.at(0).rules.at(0);
+  EXPECT_DOUBLE_EQ(line.at, 10 * inch);  // median of the orientations, at 1 s
+  analyse(r);
+  EXPECT_THAT(clearance_reading(r, ClearanceTopic::mce),
+              states(format_length(line.at) + " at DBE"));
+}
+
+TEST(clearance_report, a_yielding_building_is_drawn_from_r_above_0) {
+  Results r = made_up();
+  r.conditions->grid.support = {ArraySupport::isolated};
+  r.conditions->grid.response_modification = {0.0, 2.0};
+  for (ConditionHistory& h : r.conditions->histories) h.displacement_m += inch;
+  for (const DataSeries& line : curves_of(figure_of(r, "yielding")))
+    EXPECT_EQ(line.x, std::vector{2.0});
+}
+
+TEST(clearance_report, intensity_levels_are_named_on_their_axis) {
+  Results r = made_up();
+  r.suites.push_back(r.suites.front());
+  r.suites[0].name = "my_level1";
+  r.suites[1].name = "my_level3";
+  r.records[1].suite = 1;
+  const Axis x = figure_of(r, "level").panels.at(0).x;
+  EXPECT_THAT(x.label, states("Intensity Level"));
+  ASSERT_EQ(x.ticks.size(), 2u);
+  EXPECT_THAT(x.ticks[1].label, states("3 (S_DS 1.33 g)"));  // 2 g over 1.5
+}
+
 TEST(base_shear_report, is_by_condition_and_beside_the_other_supports) {
   Results r = made_up();
   r.base_shear = BaseShearAnalysis::find({}, r);

@@ -82,6 +82,28 @@ TEST(figures, say_what_each_point_is) {
   EXPECT_THAT(svg, testing::Not(testing::HasSubstr("points_plot_1</title>")));
 }
 
+TEST(figures, are_described_for_who_does_not_see_them_and_break_no_name_of_a_standard) {
+  DataSeries line{DataSeries::Kind::line, look(Role::median), "mean"};
+  line.x = {0.5, 1.0, 2.0};
+  line.y = {0.0254, 0.0508, 0.0127};
+  const Panel panel{"", {"Period (s)", 0.0, 2.0}, length_axis("Displacement", 0.1), {line}};
+  const fs::path folder = fresh_folder("described");
+  const std::string below = std::string(78, 'a') + "; target ASCE 7-10, S_S 1.95 g, class D";
+  render_figure({"described", "Title <1>", below, "", {panel}}, folder);
+  EXPECT_THAT(read_text_file(folder / "described.svg"),
+              states("<title>Title &lt;1&gt;</title>", "<desc id=\"described_desc\">",
+                     "Across: Period (s), 0 to 2.00",
+                     "mean: 0.0254 m (1.00 in) at 0.500, 0.0127 m (0.500 in) at 2.00, largest "
+                     "0.0508 m (2.00 in) at 1.00."));
+  EXPECT_THAT(read_text_file(folder / "described.gp"), testing::HasSubstr("ASCE\u00a07-10"));
+}
+
+TEST(figures, of_the_fragility_name_suite_roof_and_building) {
+  const Results results = made_up_results();
+  EXPECT_THAT(fragility_figure(results, results.runs.front()).below,
+              states(results.suites.front().name, "slope", "buildings of T", "friction"));
+}
+
 // Of the panel and the series that a point is in, by the values of a logarithmic axis and by the
 // name of the nearest tick; a line says its name.
 TEST(figures, say_what_each_point_of_several_panels_is) {

@@ -71,5 +71,13 @@ TEST(html_report, puts_the_drawing_in_the_page_without_its_xml_declaration) {
   EXPECT_THAT(html, Not(states("<?xml")));
 }
 
+TEST(html_report, has_the_description_of_a_drawing_and_not_its_title_which_covers_it) {
+  const std::string html = html_report(
+      made_up_results(), {{{"one", "Title", "", "Caption"},
+                           "<svg id=\"x\"><title>Title</title><desc id=\"one_desc\">Up.</desc>"
+                           "<g id=\"y\"></g></svg>"}});
+  EXPECT_THAT(html, states("aria-describedby=\"one_desc\" id=\"x\"><desc id=\"one_desc\">Up."));
+}
+
 }  // namespace
 }  // namespace glissade

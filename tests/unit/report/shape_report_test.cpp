@@ -80,7 +80,9 @@ TEST(shape_report, figure_marks_the_gap_of_what_is_not_lognormal_alone) {
   ASSERT_EQ(figure.panels.size(), 2u);
   EXPECT_THAT(figure.panels[0].title, states("gap"));
   EXPECT_THAT(figure.panels[1].title, testing::Not(states("gap")));
-  for (const Panel& panel : figure.panels) EXPECT_TRUE(panel.notes.empty());
+  ASSERT_EQ(figure.panels[0].notes.size(), 1u);
+  EXPECT_THAT(figure.panels[0].notes[0].text, states("largest gap"));
+  EXPECT_TRUE(figure.panels[1].notes.empty());
 }
 
 }  // namespace

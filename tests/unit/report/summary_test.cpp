@@ -26,6 +26,15 @@ TEST(summary, reports_fragilities_standards_skips_and_notes_in_ascii) {
   for (const char c : text) EXPECT_LT(static_cast<unsigned char>(c), 128);
 }
 
+TEST(summary, begins_with_the_answer_then_warnings_then_evidence) {
+  Results results = made_up_results();
+  results.warnings = {"look out"};
+  const std::string text = summary_text(results),
+                    answer = answer_sentences(results).front().substr(0, 20);
+  EXPECT_LT(text.find(answer), text.find("WARNING: look out"));
+  EXPECT_LT(text.find("WARNING: look out"), text.find("Model: "));
+}
+
 TEST(answer, reports_a_median_beyond_the_levels_studied) {
   Results results = made_up_results();
   results.runs[0].fragilities[0].capacities.curve.median = 3.0;  // levels end at 2 g

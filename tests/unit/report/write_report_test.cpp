@@ -26,6 +26,10 @@ TEST(write_report, leaves_a_page_tables_and_figures_and_no_partial_files) {
     EXPECT_TRUE(fs::exists(folder / "figures" / (std::string(figure) + ".pdf"))) << figure;
     EXPECT_THAT(html, testing::HasSubstr("id=\"figure_" + std::string(figure) + "\""));
   }
+  // Only definitions, which have an id, refer to others: WeasyPrint does not print another <use>.
+  for (std::size_t at = html.find("<use "); at != std::string::npos;
+       at = html.find("<use ", at + 1))
+    EXPECT_LT(html.find(" id=", at), html.find('>', at));
   for (const auto& entry : fs::recursive_directory_iterator(folder)) {
     EXPECT_THAT(entry.path().string(), testing::Not(testing::HasSubstr(".partial")));
   }

@@ -84,6 +84,7 @@ class ContourPlot {
   /// Lines at a value with their label, and whether there are any.
   bool add(const std::string& name, double value_m, const std::string& text, const Look& look,
            const std::string& key = "") {
+    if (value_m > largest(grid_.z)) return false;  // beside the free region alone
     const std::vector<Polyline> lines = contour_lines(grid_, value_m);
     if (lines.empty()) return false;
     DataSeries series{DataSeries::Kind::line, look, name, key};

@@ -127,11 +127,14 @@ Figure level_figure(const Results& results) {
                      (by_sds ? fmt::format(" (S_DS {:.3g} g)", sds_of(suite)) : "")}});
   }
   return {"level",
-          "Mean displacement by suite",
+          common.ends_with("level") ? "Mean displacement over the Intensity Level"
+                                    : "Mean displacement by suite",
           conditions_text(results, shown_condition(results.conditions->grid), {period, support}),
           after_walters(results, 14),
           {means_panel(results, {view},
-                       (common.ends_with("level") ? "Intensity Level" : "Suite " + common + "...") +
+                       (common.ends_with("level") ? "Intensity Level"
+                        : common.empty()          ? "Suite"
+                                                  : "Suite " + common + "...") +
                            std::string(by_sds ? " (S_DS of its design spectrum)" : ""))}};
 }
 
@@ -184,8 +187,8 @@ Figure mce_figure(const Results& results) {
   Look rule = family_look(shown[level], levels.size());
   rule.dash = 2;
   const std::string label =
-      fmt::format("largest over the periods at {}: {}", label_of(grid, level, shown),
-                  format_length(largest.median));
+      fmt::format("largest over the periods at {}, median of the orientations: {}",
+                  label_of(grid, level, shown), format_length(largest.median));
   return {"mce",
           "Mean displacement over the building's period, by level of shaking",
           below_text(results, {level}),

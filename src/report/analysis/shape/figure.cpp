@@ -62,8 +62,9 @@ DataSeries of_model(const Results& results, const ThresholdFragility& fragility,
 void mark_gap(Panel& panel, const ThresholdFragility& fragility) {
   const GoodnessOfFit& fit = fragility.lognormal;
   if (!departs_from_lognormal(fit) || !(fit.gap_intensity < panel.x.high)) return;
-  panel.rules.push_back(
-      {Rule::Kind::vertical, fit.gap_intensity, look(Role::reference), "largest gap"});
+  panel.rules.push_back({Rule::Kind::vertical, fit.gap_intensity, look(Role::reference)});
+  panel.notes.push_back(
+      {fit.gap_intensity, 0.05, " largest gap", look(Role::reference).colour, Note::Align::left});
 }
 
 /// Below this difference from the lognormal a model is not drawn: the lines would be one.
@@ -127,7 +128,7 @@ Figure shape_figure(const Results& results) {
   const std::vector<ThresholdFragility>& fragilities = results.runs.front().fragilities;
   const auto [best, worst] = std::ranges::minmax_element(fragilities, {}, gap_of);
   Figure figure{
-      "shape", "Probability that slip exceeds a clearance: observed, lognormal and other models",
+      "shape", "Exceedance of a clearance: observed share, lognormal and other models",
       run_below(results, results.runs.front()),
       "Points: observed share of histories that exceed the clearance. Lines: the lognormal fitted "
       "to capacities, and other models fitted to the shares at the levels. Two-part: probability "
