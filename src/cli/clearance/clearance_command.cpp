@@ -190,7 +190,7 @@ void add_clearance(CLI::App& program, const Communicator& world) {
   command->footer(
       "Ctrl-C stops a calculation: exit status 75, and --resume goes on with it.\n"
       "`glissade check PROJECT` says what would run.\n"
-      "A product file has [product] and a [[target]] for each site: `glissade explain product`.");
+      "A product file has [product] and [[target]]: `glissade explain product`.");
   command->callback([o, world] {
     if (o->example) {
       if (world.is_root()) put("{}", ExampleFile::project().text());

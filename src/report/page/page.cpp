@@ -27,6 +27,7 @@ table { border-collapse: collapse; font-size: .85em; margin: 1em 0; }
 th, td { border-bottom: 1px solid #ddd; padding: .2em .6em; text-align: left; vertical-align: top; overflow-wrap: break-word; }
 th { background: #f4f4f4; vertical-align: bottom; } .number { text-align: right; white-space: nowrap; }
 td:not(.number) { min-width: 7em; }
+.many table { font-size: .72em; } .many th, .many td { padding: .2em .35em; } .many td:not(.number) { min-width: 5em; }
 dt { font-weight: bold; } dd { margin: 0 0 .5em 1.5em; }
 pre { background: #f7f7f7; border: 1px solid #ddd; padding: .8em; white-space: pre-wrap; overflow-wrap: anywhere; font-size: .85em; }
 @page { margin: 12mm 14mm 14mm; @bottom-right { content: "Page " counter(page) " of " counter(pages); font: 9pt Arial, sans-serif; } }
@@ -35,9 +36,9 @@ pre { background: #f7f7f7; border: 1px solid #ddd; padding: .8em; white-space: p
   .many, h2:has(+ .many), h3:has(+ .many) { page: wide; }
   body { max-width: none; margin: 0; padding: 0; font-size: 10pt; line-height: 1.35; } h2, h3 { break-after: avoid; } figcaption { break-before: avoid; }
   figure { max-width: none; margin: .3em auto; } .drawing svg { width: 16.7cm; min-width: 0; max-width: 100%; margin: 0 auto; } figure, tr, caption { break-inside: avoid; } caption, thead, tbody tr:first-child { break-after: avoid; } tbody tr:last-child { break-before: avoid; }
-  .wide { overflow: visible; container-type: normal; } caption div { max-width: none; } pre { box-decoration-break: clone; -webkit-box-decoration-break: clone; margin-right: 1px; } table, pre, figcaption, caption { font-size: 9pt; } table { width: 100%; } thead { display: table-header-group; }
+  .wide { overflow: visible; container-type: normal; } caption div { max-width: none; } pre { box-decoration-break: clone; -webkit-box-decoration-break: clone; margin-right: 1px; } table, .many table, pre, figcaption, caption { font-size: 9pt; } table { width: 100%; } thead { display: table-header-group; }
   th, td { padding: .15em .35em; } th.number, td.number { white-space: normal; }
-  td:not(.number) { min-width: 0; } .many th, .many td { padding: .15em .2em; } p, li { orphans: 3; widows: 3; }
+  td:not(.number), .many td:not(.number) { min-width: 0; } .many th, .many td { padding: .15em .2em; } p, li { orphans: 3; widows: 3; }
 }
 )";
 

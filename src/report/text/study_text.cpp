@@ -188,7 +188,7 @@ namespace {
 std::string range_of(const Results& results, CaseSlice cases, double Case::*of) {
   double low = infinity, high = 0.0;
   for (std::size_t i = cases.first; i < cases.first + cases.count; ++i) {
-    const double value = std::abs(results.cases.cases[i].*of);
+    const double value = std::round(1e3 * std::abs(results.cases.cases[i].*of)) / 1e3;
     low = std::min(low, value);
     high = std::max(high, value);
   }

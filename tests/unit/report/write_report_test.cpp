@@ -30,6 +30,8 @@ TEST(write_report, leaves_a_page_tables_and_figures_and_no_partial_files) {
   for (std::size_t at = html.find("<use "); at != std::string::npos;
        at = html.find("<use ", at + 1))
     EXPECT_LT(html.find(" id=", at), html.find('>', at));
+  // "S_DS (g)" below the axis, of three parts, begins left of its centre.
+  EXPECT_NE(html.find("text-anchor=\"start\">\n\t\t<text x=\"-"), std::string::npos);
   for (const auto& entry : fs::recursive_directory_iterator(folder)) {
     EXPECT_THAT(entry.path().string(), testing::Not(testing::HasSubstr(".partial")));
   }

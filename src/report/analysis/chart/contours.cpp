@@ -73,6 +73,19 @@ void append(DataSeries& series, const Polyline& line) {
   for (const PlanePoint& point : line) series.add(point.x, point.y);
 }
 
+/// So many that no text fits between two of them.
+Polyline with_points_between(const Polyline& ends) {
+  constexpr int parts = 16;
+  Polyline line;
+  for (std::size_t i = 1; i < ends.size(); ++i)
+    for (int part = i == 1 ? 0 : 1; part <= parts; ++part) {
+      const double share = static_cast<double>(part) / parts;
+      line.push_back(
+          {std::lerp(ends[i - 1].x, ends[i].x, share), std::lerp(ends[i - 1].y, ends[i].y, share)});
+    }
+  return line;
+}
+
 /// What is drawn: the panel grows by lines and labels that keep clear of each other.
 class ContourPlot {
  public:
@@ -100,7 +113,7 @@ class ContourPlot {
   /// A line or an area of the reader's map that is no contour, named in the key.
   void add_outline(DataSeries series, const Polyline& points) {
     append(series, points);
-    if (series.kind == DataSeries::Kind::line) outlines_.push_back(points);
+    if (series.kind == DataSeries::Kind::line) outlines_.push_back(with_points_between(points));
     panel_.series.push_back(std::move(series));
   }
 
