@@ -199,9 +199,10 @@ std::string range_of(const Results& results, CaseSlice cases, double Case::*of) 
 }  // namespace
 
 std::string cases_below(const Results& results, CaseSlice cases) {
-  std::string suites;
-  for (const SuiteSummary& suite : results.suites)
-    suites += (suites.empty() ? "" : ", ") + suite.name;
+  const std::vector<SuiteSummary>& all = results.suites;
+  const std::string suites = all.front().name + (all.size() == 1   ? ""
+                                                 : all.size() == 2 ? ", " + all.back().name
+                                                                   : " to " + all.back().name);
   const std::string slope = range_of(results, cases, &Case::slope_deg),
                     periods = range_of(results, cases, &Case::period_s),
                     ratio = range_of(results, cases, &Case::mass_ratio);
