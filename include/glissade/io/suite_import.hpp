@@ -36,9 +36,10 @@ struct FoundComponent {
   double pga_g = 0.0;
   bool is_dead = false;  ///< all samples of one value
   std::vector<std::string> notes, faults;
-  std::string sha256;                 ///< of the file, in an archive of the member
-  std::uint64_t samples_hash = 0;     ///< of step and samples
-  std::optional<double> stated_dt_s;  ///< by the options, as the file does not state it
+  std::string sha256;                     ///< of the file, in an archive of the member
+  std::uint64_t samples_hash = 0;         ///< of step and samples
+  std::optional<double> stated_dt_s;      ///< by the options, as the file does not state it
+  std::optional<double> counts_per_mps2;  ///< by StationXML among the files
 
   /// Without folders.
   std::string file_name() const {
@@ -71,10 +72,10 @@ struct SuiteImport {
   std::vector<std::string> warnings;  ///< of the report
 };
 
-/// Reads every file once and puts components of one station and event together, by their headers,
-/// the report and their names; what cannot be read or belongs to no record is left out, with the
-/// reason. Throws InputError where an input or the report is not there, or there are too many
-/// files.
+/// Reads every file, with the gains of StationXML among them, and puts components of one station
+/// and event together, by their headers, the report and their names; what is not processed beside
+/// its processed version, what cannot be read or belongs to no record is left out, with the reason.
+/// Throws InputError where an input or the report is not there, or there are too many files.
 SuiteImport import_suite(const ImportOptions& options);
 
 /// Whether a path is to be read as a suite file: named .toml, or with a line [suite]; not a folder

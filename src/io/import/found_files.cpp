@@ -114,6 +114,7 @@ FoundComponent found_component(const FileToRead& file, const RecordFormat& forma
   found.pga_g = peak_ground_acceleration_mps2(record.acceleration_mps2) / standard_gravity_mps2;
   found.is_dead = std::ranges::adjacent_find(record.acceleration_mps2, std::not_equal_to<>()) ==
                   record.acceleration_mps2.end();
+  found.counts_per_mps2 = component.counts_per_mps2;
   found.notes = record.notes;
   found.faults = sample_faults({record.acceleration_mps2.data(), found.samples});
   found.samples_hash = Hasher()

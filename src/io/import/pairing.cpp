@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <cmath>
 #include <functional>
@@ -28,7 +29,8 @@ struct ComponentPiece {
   std::optional<ComponentDirection> direction;
   const ReportRow* row = nullptr;
   std::optional<std::size_t> place_in_row;  ///< of its file in the row
-  std::string key, narrow_key;  ///< of its record; where that has too many components, the second
+  /// Of its record; where that has too many components, the next.
+  std::string key, state, narrow_key;
 };
 using Pieces = std::vector<ComponentPiece>;
 
@@ -91,7 +93,7 @@ bool is_other(const std::optional<ComponentDirection>& by_name,
 
 ComponentPiece piece_of(std::size_t component, const FoundComponent& found,
                         const ReportIndex& report) {
-  ComponentPiece piece{component, &found, {}, {}, nullptr, {}, "", ""};
+  ComponentPiece piece{component, &found, {}, {}, nullptr, {}, "", "", ""};
   const bool is_one_of_several = !found.address.empty();
   const std::string stem = stem_of(found.file_name());
   piece.name = is_one_of_several ? SplitName{stem, ""} : split_direction(stem);
@@ -104,6 +106,7 @@ ComponentPiece piece_of(std::size_t component, const FoundComponent& found,
                                  : (found.file / found.member).parent_path().string();
   piece.narrow_key = folder + "|" + (is_one_of_several ? found.file_name() : piece.name.rest);
   const RecordHeader& header = found.header;
+  piece.state = !header.is_processed ? "" : *header.is_processed ? "processed" : "raw";
   if (piece.row != nullptr)
     piece.key =
         fmt::format("row|{}|{}|{}", piece.row->rsn, piece.row->event_id, piece.row->station);
@@ -233,6 +236,8 @@ void compare_steps(ImportedRecord& record, const Pieces& pieces, const ImportOpt
 }
 
 void warn_of_components(ImportedRecord& record, const Pieces& pieces) {
+  if (record.station.ends_with(" borehole"))
+    record.warnings.push_back("was recorded in a borehole: the surface moves more");
   for (const ComponentPiece& piece : pieces) {
     for (const std::string& fault : piece.found->faults)
       record.warnings.push_back(piece.found->shown() + ": " + fault);
@@ -331,6 +336,51 @@ void report_unused_rows(const SearchReport& report, const Pieces& pieces, SuiteI
   }
 }
 
+/// Of records of one event and station with the same directions: those that are not processed
+/// beside one that is are left out, others are warned of.
+void compare_records(SuiteImport& found) {
+  const auto directions = [&](const ImportedRecord& record) {
+    std::set<std::string> names;
+    for (const auto& at : record.components)
+      if (at) names.insert(lower_case(found.components[*at].header.direction));
+    return names;
+  };
+  const auto is_processed = [&](const ImportedRecord& record) {
+    return found.components[*record.components[0]].header.is_processed;
+  };
+  std::map<std::tuple<std::string, std::string, std::set<std::string>>, std::vector<std::size_t>>
+      groups;
+  for (std::size_t i = 0; i < found.records.size(); ++i) {
+    const ImportedRecord& record = found.records[i];
+    if (!record.event.empty() && !record.station.empty())
+      groups[{lower_case(record.event), lower_case(record.station), directions(record)}].push_back(
+          i);
+  }
+  std::set<std::size_t> unprocessed;
+  for (const auto& [key, group] : groups) {
+    if (group.size() < 2) continue;
+    const auto processed = std::ranges::find_if(
+        group, [&](std::size_t i) { return is_processed(found.records[i]) == true; });
+    for (const std::size_t i : group) {
+      ImportedRecord& record = found.records[i];
+      if (processed != group.end() && is_processed(record) == false) {
+        unprocessed.insert(i);
+        found.left_out.push_back(
+            {record.id, "is not processed; " + found.records[*processed].id +
+                            " is the same record, processed: to take this one import it alone"});
+      } else if (i != group.front() && !unprocessed.contains(group.front())) {
+        record.warnings.push_back("is of the same event and station as " +
+                                  found.records[group.front()].id +
+                                  ": two such records are not independent");
+      }
+    }
+  }
+  std::vector<ImportedRecord> kept;
+  for (std::size_t i = 0; i < found.records.size(); ++i)
+    if (!unprocessed.contains(i)) kept.push_back(std::move(found.records[i]));
+  found.records = std::move(kept);
+}
+
 }  // namespace
 
 void pair_components(SuiteImport& found, const SearchReport* report, const ImportOptions& options) {
@@ -344,15 +394,18 @@ void pair_components(SuiteImport& found, const SearchReport* report, const Impor
     else
       found.left_out.push_back({listed(group), reason});
   };
-  for (const auto& [key, group] : by_key(pieces, &ComponentPiece::key)) {
-    if (is_one_record(group)) {
-      take(group);
-      continue;
-    }
-    for (const auto& [narrow, part] : by_key(group, &ComponentPiece::narrow_key)) take(part);
-  }
+  // Several versions of a record, of which one is not processed, are told apart before names are.
+  const std::array narrower = {&ComponentPiece::key, &ComponentPiece::state,
+                               &ComponentPiece::narrow_key};
+  const std::function<void(const Pieces&, std::size_t)> divide = [&](const Pieces& group,
+                                                                     std::size_t by) {
+    for (const auto& [key, part] : by_key(group, narrower[by]))
+      is_one_record(part) || by + 1 == narrower.size() ? take(part) : divide(part, by + 1);
+  };
+  divide(pieces, 0);
   if (report != nullptr) report_unused_rows(*report, pieces, found);
   std::ranges::sort(found.records, {}, &ImportedRecord::id);
+  compare_records(found);
 }
 
 }  // namespace glissade

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <fstream>
 #include <iterator>
 
 #include "glissade/core/error.hpp"
@@ -14,6 +15,7 @@
 #include "import/pairing.hpp"
 #include "records/packed_files.hpp"
 #include "records/record_entry.hpp"
+#include "records/station_metadata.hpp"
 #include "text/scan.hpp"
 #include "toml/toml_text.hpp"
 
@@ -42,11 +44,35 @@ bool is_same_file(const fs::path& one, const std::optional<fs::path>& other) {
   return other && (one == *other || fs::equivalent(one, *other, ignored));
 }
 
-/// The components of one file, or the reason why it has none.
+std::string beginning_of(const fs::path& file) {
+  std::string bytes(1000, '\0');
+  std::ifstream in(file, std::ios::binary);
+  in.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+  bytes.resize(static_cast<std::size_t>(in.gcount()));
+  return bytes;
+}
+
+/// The components of files, or the reasons why they have none.
 class ComponentReader {
  public:
   ComponentReader(const ImportOptions& options, SuiteImport& found)
-      : options_(options), found_(found) {}
+      : options_(options), found_(found) {
+    options_.missing.stations = &stations_;
+  }
+
+  /// Takes the gains of a file that has them, before the components are read.
+  void add_metadata(const fs::path& file) {
+    const std::string beginning = beginning_of(file);
+    if (!is_archive(beginning) && !is_station_xml({file, beginning})) return;
+    try {
+      const std::string bytes = read_text_file(file);
+      if (!is_archive(bytes)) return stations_.add({file, bytes});
+      for (const PackedFile& member : unpacked(file, bytes).files)
+        if (is_station_xml({member.name, member.bytes})) stations_.add({member.name, member.bytes});
+    } catch (const InputError&) {
+      // Reported where the components are read.
+    }
+  }
 
   void add_all(const fs::path& file) {
     try {
@@ -64,6 +90,8 @@ class ComponentReader {
   void add(const FileToRead& file) {
     if (is_same_file(file.shown(), options_.report)) return;
     try {
+      if (const RecordText text{file.shown(), file.bytes}; is_station_xml(text))
+        return StationMetadata().add(text);
       for (FoundComponent& component : read_components(file, options_.missing))
         found_.components.push_back(std::move(component));
     } catch (const InputError& error) {
@@ -71,14 +99,19 @@ class ComponentReader {
     }
   }
 
-  const ImportOptions& options_;
+  ImportOptions options_;
   SuiteImport& found_;
+  StationMetadata stations_;
 };
 
 ComponentEntry entry_of(const FoundComponent& component, const fs::path& folder) {
   ComponentEntry entry;
   entry.file = relative_path(component.file, folder) + component.whole_address();
   entry.options.dt_s = component.stated_dt_s;
+  if (component.counts_per_mps2) {
+    entry.options.units = AccelerationUnits::mps2;
+    entry.options.counts_per_unit = component.counts_per_mps2;
+  }
   if (const auto direction = component_direction(component.header.direction))
     entry.azimuth_deg = direction->azimuth_deg;
   entry.sha256 = component.sha256;
@@ -101,7 +134,9 @@ SuiteImport import_suite(const ImportOptions& options) {
   const std::optional<SearchReport> report = report_of(options);
   SuiteImport found;
   ComponentReader reader(options, found);
-  for (const fs::path& file : found_files(options.inputs, found.left_out)) {
+  const std::vector<fs::path> files = found_files(options.inputs, found.left_out);
+  for (const fs::path& file : files) reader.add_metadata(file);
+  for (const fs::path& file : files) {
     if (printable_name(file.string()) != file.string()) {
       found.left_out.push_back(
           {file.string(), "its name has control characters or is no UTF-8: rename it"});

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "glissade/core/file.hpp"
 #include "glissade/io/sha256.hpp"
 #include "glissade/io/suite_file.hpp"
 #include "glissade/motion/improbable.hpp"
@@ -22,6 +23,10 @@ using testing::Each;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
+
+std::string changed(std::string text, const std::string& from, const std::string& to) {
+  return text.replace(text.find(from), from.size(), to);
+}
 
 /// A made-up motion; each seed another.
 std::vector<double> motion_g(double seed, std::size_t count = 200) {
@@ -289,6 +294,72 @@ TEST_F(SuiteImporter, duplicates_are_named_and_left_out) {
   EXPECT_THAT(reasons(found), test::states("the same bytes as",
                                            "old/PLC-090: a duplicate: the "
                                            "same samples as"));
+}
+
+/// A channel of the miniSEED file of the corpus, 1000 counts for one unit.
+std::string station_xml(const std::string& unit, const std::string& azimuth) {
+  return "<?xml version=\"1.0\"?><FDSNStationXML><Network code=\"XX\"><Station code=\"XXX\">"
+         "<Channel code=\"HNE\" locationCode=\"\" startDate=\"1999-01-01T00:00:00\" "
+         "endDate=\"2001-01-01T00:00:00\"><Azimuth>" +
+         azimuth +
+         "</Azimuth><Dip>0</Dip><Response><InstrumentSensitivity><Value>1000</Value><Frequency>1"
+         "</Frequency><InputUnits><Name>" +
+         unit +
+         "</Name></InputUnits><OutputUnits><Name>COUNTS</Name></OutputUnits>"
+         "</InstrumentSensitivity></Response></Channel></Station></Network></FDSNStationXML>";
+}
+
+class MiniseedImporter : public SuiteImporter {
+ protected:
+  SuiteImport import_with(const std::string& xml) const {
+    write("a.mseed", read_text_file(fs::path(GLISSADE_SOURCE_DIR) /
+                                    "tests/fuzz/corpus/record/miniseed.mseed"));
+    write("metadata/station.xml", xml);
+    ImportOptions options;
+    options.keep_single = true;
+    return import(options);
+  }
+};
+
+TEST_F(MiniseedImporter, takes_gain_and_azimuth_of_the_stations_metadata) {
+  const SuiteImport found = import_with(station_xml("M/S**2", "30"));
+  if (reasons(found).find("libmseed") != std::string::npos) GTEST_SKIP() << reasons(found);
+  EXPECT_EQ(reasons(found), "");
+  ASSERT_EQ(found.records.size(), 1u);
+  EXPECT_EQ(found.components[*found.records[0].components[0]].header.direction, "30");
+  fs::remove_all(folder_.path() / "records/metadata");  // the suite has the gain
+  const Suite suite = load(found);
+  const auto& first = suite.motions.at(0).horizontal_mps2[0];
+  EXPECT_THAT(std::vector<double>(first.begin(), first.end()),
+              ElementsAre(0.0, 0.5, -1.0, 0.25, 2.0, -0.5, -0.75, -0.5));
+}
+
+TEST_F(MiniseedImporter, refuses_channels_of_velocity_and_metadata_that_are_none) {
+  for (const auto& [xml, words] :
+       {std::pair{station_xml("M/S", "30"), "channel XX_XXX__HNE has 1000 'counts' for 1 'M/S'"},
+        std::pair{station_xml("M/S**2", "30").substr(0, 200), "no whole XML"},
+        std::pair{std::string("<FDSNStationXML/>"), "does not state how many"}}) {
+    const std::string reason = reasons(import_with(xml));
+    if (reason.find("libmseed") != std::string::npos) GTEST_SKIP() << reason;
+    EXPECT_THAT(reason, HasSubstr(words));
+  }
+}
+
+TEST_F(SuiteImporter, what_is_not_processed_is_left_out_beside_its_processed_version) {
+  const std::string processed =
+      changed(read_text_file(fs::path(GLISSADE_SOURCE_DIR) / "tests/fuzz/corpus/record/smc.smc"),
+              "*\n*\n*\n", "*\n*\n2000 1 1 Somewhere\n");
+  const auto across = [](const std::string& text) {
+    return changed(text, "        90        45", "        90       135");
+  };
+  std::string raw =
+      changed(changed(processed, "2 CORRECTED", "1 UNCORRECTED"), "2.0000E+2", "2.1000E+2");
+  write("p1.smc", processed), write("p2.smc", across(changed(processed, "2.0000E+2", "1.9000E+2")));
+  write("u1.smc", raw), write("u2.smc", across(changed(raw, "2.1000E+2", "1.8000E+2")));
+  const SuiteImport found = import();
+  ASSERT_EQ(found.records.size(), 1u) << reasons(found);
+  EXPECT_EQ(files_of(found, found.records[0]), "p1.smc, p2.smc, -");
+  EXPECT_THAT(reasons(found), HasSubstr("not processed"));
 }
 
 TEST_F(SuiteImporter, what_is_no_record_is_left_out_and_never_guessed) {

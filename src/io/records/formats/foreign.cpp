@@ -20,6 +20,7 @@ constexpr const char* to_text =
     "write the acceleration as text, CSV with a heading of names and "
     "units (ObsPy: read(FILE).write(..., format=\"TSPAIR\"))";
 constexpr std::array foreign_kinds = {
+    ForeignKind{"{", "", "is JSON, and no record", "leave it out"},
     ForeignKind{"", "<fdsnstationxml", "is StationXML, the metadata of a station, and no record",
                 "give it to suite import, with the miniSEED files of its channels"},
     ForeignKind{"000001V ", "", "is a full SEED volume", "extract miniSEED (rdseed -d -o 4)"},
