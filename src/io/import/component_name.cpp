@@ -45,8 +45,19 @@ bool is_direction_token(std::string_view token, bool is_last) {
   return component_direction(token).has_value();
 }
 
+/// "20140824T102244Z", as data centres end names.
+bool is_utc_time(std::string_view token) {
+  constexpr std::size_t length = 16, between = 8;
+  if (token.size() != length) return false;
+  for (std::size_t i = 0; i < length; ++i)
+    if (i == between ? token[i] != 'T' : i == length - 1 ? token[i] != 'Z' : !is_digit(token[i]))
+      return false;
+  return true;
+}
+
 /// The direction at the end of a token, "GIL067", "HECVER", "20140203E"; 0: none.
 std::size_t direction_suffix(std::string_view token) {
+  if (is_utc_time(token)) return 0;
   constexpr std::size_t azimuth = 3;
   const auto is_letter = [](char c) { return !is_digit(c); };
   if (token.size() > azimuth && is_azimuth(token.substr(token.size() - azimuth)) &&

@@ -145,6 +145,8 @@ TEST_F(SuiteImporter, names_pair_files_without_headers) {
   write("b/NET.STA.HNZ.20200101.txt", column(6));
   write("b/NET.STA.HNE.20200101.txt", column(7));
   write("b/NET.STA.HNN.20200101.txt", column(8));
+  write("d/BK.CMB.00.HNE__20140824T102014Z__20140824T102244Z.txt", column(13));
+  write("d/BK.CMB.00.HNN__20140824T102014Z__20140824T102244Z.txt", column(14));
   write("c/REC_H2.txt", column(9));
   write("c/REC_H1.txt", column(10));
   write("c/3_BOLU000.txt", column(11));
@@ -154,7 +156,10 @@ TEST_F(SuiteImporter, names_pair_files_without_headers) {
   std::vector<std::string> files;
   for (const ImportedRecord& record : found.records) files.push_back(files_of(found, record));
   EXPECT_THAT(files, ElementsAre("19760506_TLM1_NS.acc, 19760506_TLM1_WE.acc, 19760506_TLM1_UD.acc",
-                                 "3_BOLU000.txt, 3_BOLU090.txt, -", "BOL-000, BOL-090, -",
+                                 "3_BOLU000.txt, 3_BOLU090.txt, -",
+                                 "BK.CMB.00.HNN__20140824T102014Z__20140824T102244Z.txt, "
+                                 "BK.CMB.00.HNE__20140824T102014Z__20140824T102244Z.txt, -",
+                                 "BOL-000, BOL-090, -",
                                  "NET.STA.HNN.20200101.txt, NET.STA.HNE.20200101.txt, "
                                  "NET.STA.HNZ.20200101.txt",
                                  "REC_H1.txt, REC_H2.txt, -"));
