@@ -50,7 +50,7 @@ TEST(OutputRule, is_the_same_of_all_commands) {
   EXPECT_THAT(writing, testing::UnorderedElementsAre(
                            "init", "run", "merge", "clearance", "report", "friction", "slide",
                            "suite show", "suite spectra", "suite scale", "suite design",
-                           "suite import", "suite select"));
+                           "suite import", "suite select", "suite target"));
 }
 
 TEST(OutputRule, a_file_is_written_over_with_overwrite_only) {
@@ -59,6 +59,10 @@ TEST(OutputRule, a_file_is_written_over_with_overwrite_only) {
   expect_rule({"suite", "spectra", built_in_suite, "--out", out}, "--out", out);
   folder.write("out", "mine");
   expect_rule({"suite", "show", built_in_suite, "--out", out}, "--out", out);
+  folder.write("out", "mine");
+  expect_rule({"suite", "target", "--period-s", "0.5", "--sa-g", "0.6", "--magnitude", "7",
+               "--distance-km", "20", "--vs30-mps", "400", "--out", out},
+              "--out", out);
   folder.write("out", "mine");
   // With --overwrite it would compute for half a minute.
   expect_refused(run_program({"suite", "design", "--level", "0", "--out", out}),

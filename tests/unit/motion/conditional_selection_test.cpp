@@ -122,7 +122,7 @@ TEST(select_conditional, scales_each_record_to_the_known_acceleration) {
     EXPECT_NEAR(found.records[i].scale * sa_mps2, 0.4 * standard_gravity_mps2, 1e-12);
     EXPECT_NEAR(found.spectra_g[i][known], 0.4, 1e-14);
   }
-  EXPECT_EQ(found.sigma[known], 0.0);
+  EXPECT_NEAR(found.sigma[known], 0.0, 1e-14);
 }
 
 TEST(select_conditional, has_no_exchange_of_one_record_that_is_better) {
