@@ -59,6 +59,15 @@ std::string printable_but(std::string_view text, std::string_view kept) {
 
 }  // namespace
 
+bool is_utf8(std::string_view text) {
+  while (!text.empty()) {
+    const std::size_t bytes = first_of(text).bytes;
+    if (bytes == 0) return false;
+    text.remove_prefix(bytes);
+  }
+  return true;
+}
+
 std::string printable(std::string_view text) { return printable_but(text, "\n\t"); }
 std::string printable_name(std::string_view name) { return printable_but(name, ""); }
 

@@ -14,4 +14,6 @@ std::string printable(std::string_view text);
 /// The same of a name or a path: line ends and tabs by their number too.
 std::string printable_name(std::string_view name);
 
+bool is_utf8(std::string_view text);
+
 }  // namespace glissade

@@ -361,16 +361,17 @@ void compare_records(SuiteImport& found) {
     if (group.size() < 2) continue;
     const auto processed = std::ranges::find_if(
         group, [&](std::size_t i) { return is_processed(found.records[i]) == true; });
+    const std::size_t first = processed == group.end() ? group.front() : *processed;
     for (const std::size_t i : group) {
       ImportedRecord& record = found.records[i];
+      if (i == first) continue;
       if (processed != group.end() && is_processed(record) == false) {
         unprocessed.insert(i);
         found.left_out.push_back(
-            {record.id, "is not processed; " + found.records[*processed].id +
+            {record.id, "is not processed; " + found.records[first].id +
                             " is the same record, processed: to take this one import it alone"});
-      } else if (i != group.front() && !unprocessed.contains(group.front())) {
-        record.warnings.push_back("is of the same event and station as " +
-                                  found.records[group.front()].id +
+      } else {
+        record.warnings.push_back("is of the same event and station as " + found.records[first].id +
                                   ": two such records are not independent");
       }
     }
@@ -394,7 +395,8 @@ void pair_components(SuiteImport& found, const SearchReport* report, const Impor
     else
       found.left_out.push_back({listed(group), reason});
   };
-  // Several versions of a record, of which one is not processed, are told apart before names are.
+  // Several versions of a record, of which one is not processed, are separated before names are
+  // compared.
   const std::array narrower = {&ComponentPiece::key, &ComponentPiece::state,
                                &ComponentPiece::narrow_key};
   const std::function<void(const Pieces&, std::size_t)> divide = [&](const Pieces& group,

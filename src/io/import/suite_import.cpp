@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <fstream>
 #include <iterator>
 
 #include "glissade/core/error.hpp"
@@ -44,45 +43,51 @@ bool is_same_file(const fs::path& one, const std::optional<fs::path>& other) {
   return other && (one == *other || fs::equivalent(one, *other, ignored));
 }
 
-std::string beginning_of(const fs::path& file) {
-  std::string bytes(1000, '\0');
-  std::ifstream in(file, std::ios::binary);
-  in.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-  bytes.resize(static_cast<std::size_t>(in.gcount()));
-  return bytes;
+/// The file itself, or each file in an archive.
+template <class Take>
+void for_each_member(const fs::path& file, std::vector<LeftOut>& left_out, Take take) {
+  try {
+    const std::string bytes = read_text_file(file);
+    if (!is_archive(bytes)) return take(FileToRead{file, "", bytes});
+    UnpackedArchive archive = unpacked(file, bytes);
+    std::ranges::move(archive.left_out, std::back_inserter(left_out));
+    for (const PackedFile& member : archive.files)
+      take(FileToRead{file, member.name, member.bytes});
+  } catch (const InputError& error) {
+    left_out.push_back({file.string(), reason_of(error)});
+  }
+}
+
+/// The gains of all StationXML; what cannot be read is reported with the components.
+StationMetadata stations_of(const std::vector<fs::path>& files) {
+  StationMetadata stations;
+  std::vector<LeftOut> reported_later;
+  for (const fs::path& file : files) {
+    for_each_member(file, reported_later, [&](const FileToRead& member) {
+      const RecordText text{member.shown(), member.bytes};
+      try {
+        if (is_station_xml(text)) stations.add(text);
+      } catch (const InputError& error) {
+        reported_later.push_back({member.shown(), reason_of(error)});
+      }
+    });
+  }
+  return stations;
 }
 
 /// The components of files, or the reasons why they have none.
 class ComponentReader {
  public:
   ComponentReader(const ImportOptions& options, SuiteImport& found)
-      : options_(options), found_(found) {
-    options_.missing.stations = &stations_;
-  }
+      : options_(options), found_(found), files_(found_files(options.inputs, found.left_out)) {}
 
-  /// Takes the gains of a file that has them, before the components are read.
-  void add_metadata(const fs::path& file) {
-    const std::string beginning = beginning_of(file);
-    if (!is_archive(beginning) && !is_station_xml({file, beginning})) return;
-    try {
-      const std::string bytes = read_text_file(file);
-      if (!is_archive(bytes)) return stations_.add({file, bytes});
-      for (const PackedFile& member : unpacked(file, bytes).files)
-        if (is_station_xml({member.name, member.bytes})) stations_.add({member.name, member.bytes});
-    } catch (const InputError&) {
-      // Reported where the components are read.
-    }
-  }
-
-  void add_all(const fs::path& file) {
-    try {
-      const std::string bytes = read_text_file(file);
-      if (!is_archive(bytes)) return add({file, "", bytes});
-      UnpackedArchive archive = unpacked(file, bytes);
-      std::ranges::move(archive.left_out, std::back_inserter(found_.left_out));
-      for (const PackedFile& member : archive.files) add({file, member.name, member.bytes});
-    } catch (const InputError& error) {
-      found_.left_out.push_back({file.string(), reason_of(error)});
+  void add_all() {
+    for (const fs::path& file : files_) {
+      if (printable_name(file.string()) != file.string())
+        found_.left_out.push_back(
+            {file.string(), "its name has control characters or is no UTF-8: rename it"});
+      else
+        for_each_member(file, found_.left_out, [&](const FileToRead& member) { add(member); });
     }
   }
 
@@ -90,8 +95,13 @@ class ComponentReader {
   void add(const FileToRead& file) {
     if (is_same_file(file.shown(), options_.report)) return;
     try {
-      if (const RecordText text{file.shown(), file.bytes}; is_station_xml(text))
-        return StationMetadata().add(text);
+      constexpr std::size_t looked_at = 1000;
+      const RecordText beginning{file.shown(), file.bytes.substr(0, looked_at)};
+      if (is_station_xml(beginning)) return StationMetadata().add({file.shown(), file.bytes});
+      if (miniseed_format.matches(beginning) && !stations_) {  // which alone needs them
+        stations_ = stations_of(files_);
+        options_.missing.stations = &*stations_;
+      }
       for (FoundComponent& component : read_components(file, options_.missing))
         found_.components.push_back(std::move(component));
     } catch (const InputError& error) {
@@ -101,7 +111,8 @@ class ComponentReader {
 
   ImportOptions options_;
   SuiteImport& found_;
-  StationMetadata stations_;
+  std::vector<fs::path> files_;
+  std::optional<StationMetadata> stations_;
 };
 
 ComponentEntry entry_of(const FoundComponent& component, const fs::path& folder) {
@@ -133,17 +144,7 @@ bool is_suite_file(const fs::path& path) {
 SuiteImport import_suite(const ImportOptions& options) {
   const std::optional<SearchReport> report = report_of(options);
   SuiteImport found;
-  ComponentReader reader(options, found);
-  const std::vector<fs::path> files = found_files(options.inputs, found.left_out);
-  for (const fs::path& file : files) reader.add_metadata(file);
-  for (const fs::path& file : files) {
-    if (printable_name(file.string()) != file.string()) {
-      found.left_out.push_back(
-          {file.string(), "its name has control characters or is no UTF-8: rename it"});
-      continue;
-    }
-    reader.add_all(file);
-  }
+  ComponentReader(options, found).add_all();
   if (report) found.warnings = report->warnings;
   pair_components(found, report ? &*report : nullptr, options);
   return found;

@@ -51,7 +51,8 @@ constexpr std::array known_units = {KnownUnit{"g", UnitKind::acceleration, g_mps
                                     KnownUnit{"rad", UnitKind::label, 1.0},
                                     KnownUnit{"rad/s", UnitKind::label, 1.0},
                                     KnownUnit{"rad/s2", UnitKind::label, 1.0}};
-constexpr std::array lengths = {std::pair{"mm", 0.001}, std::pair{"cm", 0.01}, std::pair{"m", 1.0},
+constexpr std::array lengths = {std::pair{"nm", 1e-9},   std::pair{"mm", 0.001},
+                                std::pair{"cm", 0.01},   std::pair{"m", 1.0},
                                 std::pair{"in", inch_m}, std::pair{"ft", foot_m}};
 constexpr std::array of_length = {
     std::pair{"", UnitKind::displacement}, std::pair{"/s", UnitKind::velocity},

@@ -3,25 +3,13 @@
 
 #include <fmt/format.h>
 
-#include <array>
 #include <pugixml.hpp>
 
 #include "records/formats/reading.hpp"
+#include "records/record_units.hpp"
 
 namespace glissade {
 namespace {
-
-/// m/s2 of the names that data centres give the unit; nothing: no acceleration.
-std::optional<double> acceleration_unit_mps2(const std::string& name) {
-  constexpr std::array units{std::pair{"m/s**2", 1.0},   std::pair{"m/s/s", 1.0},
-                             std::pair{"m/s^2", 1.0},    std::pair{"m/s2", 1.0},
-                             std::pair{"cm/s**2", 0.01}, std::pair{"cm/s/s", 0.01},
-                             std::pair{"nm/s**2", 1e-9}};
-  const std::string lower = lower_case(name);
-  for (const auto& [known, mps2] : units)
-    if (lower == known) return mps2;
-  return std::nullopt;
-}
 
 /// "2019-07-06T03:19:47" of a date with parts of a second or a zone: dates then compare as texts.
 std::string to_seconds(std::string_view date) { return std::string(date.substr(0, 19)); }
@@ -80,15 +68,16 @@ std::optional<ChannelGain> StationMetadata::find(const std::string& id,
   const std::string at = to_seconds(time);
   for (const Channel& channel : channels_) {
     if (channel.id != id || at < channel.start || at >= channel.end) continue;
-    const auto unit_mps2 = acceleration_unit_mps2(channel.input_unit);
-    const bool is_counts = channel.output_unit == "counts" || channel.output_unit == "count";
-    if (!unit_mps2 || !is_counts || !(channel.sensitivity > 0.0))
+    const HeaderUnit input = header_unit(channel.input_unit);
+    const bool is_gain = input.kind == UnitKind::acceleration &&
+                         header_unit(channel.output_unit).kind == UnitKind::counts;
+    if (!is_gain || !(channel.sensitivity > 0.0))
       refuse_record(channel.gain.source,
                     fmt::format("channel {} has {:g} {} for 1 {}", id, channel.sensitivity,
                                 in_quotes(channel.output_unit), in_quotes(channel.input_unit)),
                     "give the channel of an accelerometer, or counts_per_unit");
     ChannelGain gain = channel.gain;
-    gain.counts_per_mps2 = channel.sensitivity / *unit_mps2;
+    gain.counts_per_mps2 = channel.sensitivity / input.si;
     if (found && found->counts_per_mps2 != gain.counts_per_mps2)
       refuse_record(gain.source,
                     fmt::format("channel {} has two sensitivities at {}: {:g} and {:g} for 1 m/s2",

@@ -53,22 +53,6 @@ std::string from_utf16(std::string_view bytes) {
   return text;
 }
 
-bool is_utf8(std::string_view bytes) {
-  for (std::size_t at = 0; at < bytes.size();) {
-    const auto lead = static_cast<std::uint8_t>(bytes[at]);
-    const std::size_t length = lead < 0x80             ? 1
-                               : (lead & 0xE0) == 0xC0 ? 2
-                               : (lead & 0xF0) == 0xE0 ? 3
-                               : (lead & 0xF8) == 0xF0 ? 4
-                                                       : 0;
-    if (length == 0 || at + length > bytes.size()) return false;
-    for (std::size_t i = 1; i < length; ++i)
-      if ((static_cast<std::uint8_t>(bytes[at + i]) & 0xC0) != 0x80) return false;
-    at += length;
-  }
-  return true;
-}
-
 std::string from_latin1(std::string_view bytes) {
   std::string text;
   for (const char byte : bytes) {

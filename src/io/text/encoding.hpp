@@ -12,9 +12,6 @@ bool is_utf16(std::string_view bytes);
 /// In UTF-8, without the mark. What is no character becomes U+FFFD.
 std::string from_utf16(std::string_view bytes);
 
-/// Whether every character is one of UTF-8, by its leading and continuation bytes.
-bool is_utf8(std::string_view bytes);
-
 /// In UTF-8: each byte is the character of its number (ISO 8859-1); control characters from 0x80 to
 /// 0x9f become U+FFFD.
 std::string from_latin1(std::string_view bytes);

@@ -154,6 +154,14 @@ std::vector<std::string> notes_on_design_levels(const Plan& plan) {
                   missing)};
 }
 
+/// What takes the place of a warning.
+std::vector<std::string> notes_on_hazard_analysis(const StudyConfig& config) {
+  const auto& target = config.intensity.target;
+  if (!target || target->hazard_analysis.empty()) return {};
+  return {"ASCE 7-16, 11.4.8, ground motion hazard analysis: the study states \"" +
+          target->hazard_analysis + "\""};
+}
+
 }  // namespace
 
 std::vector<std::string> notes_on(const Plan& plan) {
@@ -163,7 +171,7 @@ std::vector<std::string> notes_on(const Plan& plan) {
   if (!config.friction.note.empty()) notes.push_back(config.friction.note);
   for (std::vector<std::string>& more :
        std::array{notes_on_quantities(config), notes_on_directions(config), notes_on_seed(plan),
-                  notes_on_design_levels(plan)})
+                  notes_on_design_levels(plan), notes_on_hazard_analysis(config)})
     notes.insert(notes.end(), more.begin(), more.end());
   for_each_analysis(Analyses(), [&](auto analysis) {
     if constexpr (requires { analysis.plan_notes(plan); })

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "glissade/core/printable.hpp"
 #include "records/formats/reading.hpp"
 #include "text/encoding.hpp"
 

@@ -102,20 +102,21 @@ std::vector<FileComponent> read_smc(const RecordText& file, const RecordFileOpti
   const std::size_t count =
       stated_count(file, {"the count of values", shortest_decimal(integers[17]), count_line});
   const std::size_t width = integers[47] == 8.0 ? 14 : 10;  // digits
-  TimedSamples pairs;
-  if (kind == 1 && !has_rate) {
+  double dt_s = 0.0;
+  std::vector<double> samples;
+  if (kind == 1 && !has_rate) {  // pairs of time and acceleration
+    TimedSamples pairs;
     while (2 * pairs.samples_mps2.size() < count && lines.next())
       add_pairs(file, lines.number(), fixed_fields(lines.line(), width), unit_mps2, pairs);
     check_stated_count(place(file.path, count_line), count, 2 * pairs.samples_mps2.size());
+    dt_s = digitised_step_s(file, pairs, options);
+    samples = std::move(pairs.samples_mps2);
+  } else {
+    dt_s =
+        stated_step(place(file.path, smc_text_lines + 7), "1 / " + shortest_decimal(rate) + " Hz",
+                    has_rate ? 1.0 / rate : 0.0, options);
+    samples = read_block(file, lines, {count, width, unit_mps2});
   }
-  const double dt_s = pairs.samples_mps2.empty()
-                          ? stated_step(place(file.path, smc_text_lines + 7),
-                                        "1 / " + shortest_decimal(rate) + " Hz",
-                                        has_rate ? 1.0 / rate : 0.0, options)
-                          : digitised_step_s(file, pairs, options);
-  std::vector<double> samples = pairs.samples_mps2.empty()
-                                    ? read_block(file, lines, {count, width, unit_mps2})
-                                    : std::move(pairs.samples_mps2);
   const std::string direction = smc_direction(integers);
   FileComponent component = file_component(file, direction, dt_s, std::move(samples));
   header.direction = direction;

@@ -2,8 +2,7 @@
 // Uncorrected accelerograms in g/10 as the California Institute of Technology published them
 // (Hudson, Brady & Trifunac 1969-75, EERL, "Strong-Motion Earthquake Accelerograms", Volume I):
 // - USC, CDMG and RENADIC of Chile: text lines, integers, reals, then pairs of time and
-// acceleration
-//   in 10F7.3, mostly uneven, as films were digitised;
+//   acceleration in 10F7.3, mostly uneven, as films were digitised;
 // - BHRC of Iran: "* VOL1DS FILE" and the same header per component, then accelerations in 10E13.6
 //   (smd.bhrc.ac.ir, as downloaded 2012).
 #include <algorithm>
