@@ -179,7 +179,7 @@ void add_sample_file(const fs::path& file, SampleRows& rows) {
     const std::string& unit = c.header.unit;
     const auto& processed = c.header.is_processed;
     std::string& peaks =
-        rows.peaks[fmt::format("{:g}{} | {} | {}", c.dt_s, c.stated_dt_s ? " given" : "",
+        rows.peaks[fmt::format("{:g}{},{},{}", c.dt_s, c.stated_dt_s ? " given" : "",
                                unit.empty()                   ? "given"
                                : unit.starts_with("counts x") ? "counts x factor"
                                                               : unit,
@@ -196,28 +196,31 @@ std::string table_of_samples(const fs::path& samples) {
   for (const auto& entry : fs::recursive_directory_iterator(samples))
     if (entry.is_regular_file())
       folders[entry.path().parent_path().filename().string()].push_back(entry.path());
-  std::string table =
-      "| folder | component: PGA, g | step, s | unit | processed |\n|---|---|---|---|---|\n";
+  const auto quoted = [](const std::string& cell) {
+    return cell.find(',') == std::string::npos ? cell : fmt::format("\"{}\"", cell);
+  };
+  std::string table = "folder,component: PGA in g,step in s,unit,processed\n";
   for (auto& [folder, files] : folders) {
     std::ranges::sort(files);
     SampleRows rows;
     for (const fs::path& file : files) add_sample_file(file, rows);
     for (const auto& [rest, peaks] : rows.peaks)
-      table += fmt::format("| {} | {} | {} |\n", folder, peaks, rest);
+      table += fmt::format("{},{},{}\n", folder, quoted(peaks), rest);
     if (rows.unread > 0)
-      table += fmt::format("| {} | {} not read: {} | | | |\n", folder, rows.unread, rows.reason);
+      table += fmt::format("{},{},,,\n", folder,
+                           quoted(fmt::format("{} not read: {}", rows.unread, rows.reason)));
   }
   return table;
 }
 
-TEST_F(RecordedImport, the_table_of_samples_in_the_page_of_suites_is_what_is_read) {
-  std::ifstream in(GLISSADE_SOURCE_DIR "/suites/README.md");
-  const std::string page{std::istreambuf_iterator<char>(in), {}};
+TEST_F(RecordedImport, the_table_of_samples_is_what_is_read) {
+  const fs::path committed = GLISSADE_SOURCE_DIR "/tests/unit/io/recorded_samples.csv";
   const std::string table = table_of_samples(samples_ / "formats");
-  const fs::path made = fs::temp_directory_path() / "table_of_samples.md";
-  if (page.find(table) != std::string::npos) return;
+  std::ifstream in(committed);
+  if (std::string{std::istreambuf_iterator<char>(in), {}} == table) return;
+  const fs::path made = fs::temp_directory_path() / "recorded_samples.csv";
   std::ofstream(made) << table;
-  FAIL() << "suites/README.md has another table of samples: what is read is in " << made;
+  FAIL() << committed << " has another table: what is read is in " << made;
 }
 
 }  // namespace
