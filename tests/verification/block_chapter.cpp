@@ -131,10 +131,9 @@ Chapter sliding_block(const Folders& folders) {
   const Suite suite = load_suite(folders.suites / "synthetic_level2.toml");
   return {
       "3.1 Sliding block: exactness", "equation of motion in 50 digits",
-      R"(`slide()` computes every start and stop of slip in closed form. It should be exact for a
-piecewise-linear motion. It is compared with the equation of motion (Rodriguez-Nikl et al. 2019,
-eqs 6-18, with the vertical) solved in 50 digits by bisection, with closed forms, and with laws that
-hold to the last bit.)",
+      R"(`slide()` should be exact for a piecewise-linear motion. It is compared with the equation of motion
+(Rodriguez-Nikl et al. 2019, eqs 6-18, with the vertical) solved in 50 digits by bisection, with closed
+forms, and with laws that hold to the last bit.)",
       joined(
           {{made_up("144 made-up histories: mu 0 to 0.7, slopes 0 to 30 deg, three scales", false),
             made_up("144 made-up histories, with a vertical", true), simulated(suite)},

@@ -137,10 +137,9 @@ Chapter buildings(const Folders& folders) {
   Chapter chapter{
       "4.1 Buildings and response spectra",
       "Nigam & Jennings 1969, in 50 digits",
-      R"(A linear oscillator under piecewise-linear ground acceleration is exact at its samples. Its coefficients
-are compared with the published ones in 50 digits, and its steady state with the closed form. Response
-spectra have separate code: they are compared with closed forms, and with the recurrence of the textbook
-on a fine grid.)",
+      R"(A linear oscillator under piecewise-linear ground acceleration is exact at its samples: its coefficients
+are compared with the published ones in 50 digits, its steady state with the closed form. Response spectra
+are compared with closed forms, and with the recurrence of the textbook on a fine grid.)",
       {}};
   for (const double phase : {1e-6, 1e-3, 0.0157, 0.3, 0.999, 1.001, 3.0, 40.0})
     chapter.cases.push_back(coefficients(phase));

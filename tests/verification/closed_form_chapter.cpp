@@ -225,12 +225,10 @@ std::vector<Case> flat_roof() {
 Chapter closed_form_solutions() {
   return {
       "3.3 Closed forms", "closed forms of pulses and harmonics",
-      R"(Pulses, half sines and harmonics act on a block and on the building below it. The references are
-solutions derived from the equations piece by piece (tests/closed_forms has the derivation beside each formula).
-Pulses that are linear between samples agree to rounding. A sine is not linear between samples: the error
-is of second order in the step, and the value extrapolated from two steps (Richardson) is compared. The
-stops under a sine are roots of one transcendental equation. Of several solvers, the one with the
-largest error is given.
+      R"(Pulses, half sines and harmonics act on a block and on the building below it (derivations:
+tests/closed_forms). Pulses that are linear between samples agree to rounding. Of a sine the value
+extrapolated from two steps (Richardson) is compared. The stops under a sine are roots of one
+transcendental equation. Of several solvers, the one with the largest error is given.
 
 In cases.csv, k and y are gain and yield acceleration in the direction of sliding: v' = k (alpha - y),
 with alpha the roof acceleration against it. A is an amplitude, D a duration, r = T / T_ground.)",

@@ -265,23 +265,21 @@ Chapter interval_coverage() {
   return {
       "5.2 Fragility: coverage of the intervals",
       "simulated studies with known parameters",
-      R"(How often do the 95 % intervals contain the true value? The record is the unit: samples of one record are
-not independent trials. 2,000 studies each of 7, 20 and 44 records with 50 samples are simulated with
-known parameters: dispersion 0.35 between and 0.20 within records, 8 stripes from 0.4 to 2.5 medians,
-capacities censored at the last stripe. The band of the fitted curve is read where the true probability is
-2, 10, 50 and 90 %. If the coverage is exactly 95 %, 2,000 studies give less than 93 % or more than 97 % with
-a probability of 1 in 20,000.
+      R"(How often do the 95 % intervals contain the true value? 2,000 studies each of 7, 20 and 44 records with 50
+samples are simulated with known parameters: dispersion 0.35 between and 0.20 within records, 8 stripes
+from 0.4 to 2.5 medians, capacities censored at the last stripe. The band of the fitted curve is read where
+the true probability is 2, 10, 50 and 90 %. If the coverage is exactly 95 %, 2,000 studies give less than
+93 % or more than 97 % with a probability of 1 in 20,000.
 
-- *Share of the histories*: at the design earthquake (DBE) 10 % of the histories exceed. Their share has the
-  interval of Korn & Graubard (1998): theory, 6.3. It contains a Clopper-Pearson interval, so that up to
-  99 % is permitted. It assumes no curve.
+- *Share of the histories*: at the design earthquake (DBE) 10 % of the histories exceed. The interval of
+  their share (theory, 6.3) assumes no curve, and contains a Clopper-Pearson interval: up to 99 % is permitted.
 - *Cloud*: `glissade fit --cloud` (theory, 6.9), 1,000 sets of one motion a record, some without slip.
-- *`glissade fit`*: capacities with a log standard deviation of 0.4, 1,000 sets each, in several forms: one or several rows a
-  record, correlated rows, censored capacities, counts, importance weights. *Wide*: few records show anything, and
-  the intervals may cover more than 97 %.
-- *Few weak*, *few strong*: the ln capacities of the records are exponential, not normal, with the same mean and
-  dispersion. The fitted lognormal is not the true curve. Its intervals cover less than they state, and
-  less still with more records. Where `run` warns that a fragility is not lognormal, use the share.
+- *`glissade fit`*: capacities with a log standard deviation of 0.4, 1,000 sets each: one or several rows a
+  record, correlated rows, censored capacities, counts, importance weights. *Wide*: few records show
+  anything, and the intervals may cover more than 97 %.
+- *Few weak*, *few strong*: the ln capacities of the records are exponential, not normal, with the same mean
+  and dispersion. The intervals of the fitted lognormal cover less than they state, and less still with more
+  records. Where `run` warns that a fragility is not lognormal, use the share.
 
 Sets without an interval (a bound, separated counts) are not counted. The table has the lowest and the
 highest coverage of the quantities of a row, in %.)",

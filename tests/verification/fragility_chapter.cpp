@@ -118,8 +118,8 @@ std::vector<Case> rates() {
 Chapter fragility() {
   return {
       "5.1 Fragility: fits and annual rates", "published data, two independent programs",
-      R"(Fits of published data are compared with the results of two independent programs, to the given digits.
-Annual rates are compared with their closed form and with sums.)",
+      R"(Fits of published data against two independent programs, to the given digits; annual rates against their
+closed form and sums.)",
       joined({baker(), others(), rates()})};
 }
 

@@ -105,9 +105,8 @@ Chapter table_kernel(const Folders& folders) {
   Chapter chapter{
       "3.4 Kernel",
       "equation of motion in 50 digits",
-      R"(`peak_slip()` finds the same events in tables of velocity and displacement, and skips intervals
-without events. On a rigid roof it is exact. On a building the velocity is a quintic between nodes and
-exact at them; the step is divided for short periods only. `glissade run` uses it for one axis.)",
+      R"(`peak_slip()`, which studies use for one axis, finds the same events in tables of velocity and displacement.
+On a rigid roof it is exact. On a building the velocity is a quintic between nodes and exact at them.)",
       {rigid(suite, false), rigid(suite, true)}};
   for (const double period_s : {0.05, 0.2, 0.5, 1.0})
     chapter.cases.push_back(building(suite.motions.front(), 0.01, period_s));

@@ -110,11 +110,10 @@ Chapter sampling() {
   return {
       "6. Sampling",
       "published Sobol points; Owen 1995",
-      R"(Sobol points are compared with their published table. Scrambled points must give a smaller variance
-than plain Monte Carlo at equal cost. The variance ratios are for slip after Ambraseys & Menu (1988),
-as a function of friction, slope, amplification and peak ground acceleration. The ratios of the reference
-are of another surrogate, so that a third of them is permitted. Each ratio has an uncertainty
-factor of 1.3 (95 %).)",
+      R"(Sobol points are compared with their published table. Scrambled points must give a smaller variance than
+plain Monte Carlo at equal cost. The variance ratios are for slip after Ambraseys & Menu (1988), as a
+function of friction, slope, amplification and peak ground acceleration. Those of the reference are of
+another surrogate, so that a third of them is permitted; each has an uncertainty factor of 1.3 (95 %).)",
       {unscrambled(), still_a_net(), gain(128, Estimate::mean_log_slip, 188, "564"),
        gain(512, Estimate::mean_log_slip, 1270, "3,809"),
        gain(2048, Estimate::mean_log_slip, 3031, "9,092"),

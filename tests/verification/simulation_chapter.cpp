@@ -177,11 +177,10 @@ Chapter simulated_motions(const Folders& folders) {
       "8. Simulated motions",
       "RDK10, BSSA14; Walters et al. 2012, table 2",
       R"(The stochastic model of Rezaeian & Der Kiureghian (2010, RDK10) and the ground-motion models are compared
-with the digits of their references. Then come the results: four scenarios of 200 simulations each. A zero-phase
-gain (not published) scales their median spectra to BSSA14. The gain was found with the same 200, so
-the table also has 200 *fresh* ones; their medians have a standard error of 5 %. The sigma of BSSA14 is
-of horizontal motions, and only these are compared with it. Last are the built-in suites and the
-requirements of Walters et al. (2012).)",
+with the digits of their references. The table has four scenarios of 200 simulations each, with the gain
+that was found with the same 200, and 200 *fresh* ones, whose medians have a standard error of 5 %. The
+sigma of BSSA14 is of horizontal motions, and only these are compared with it. Last are the built-in suites
+and the requirements of Walters et al. (2012).)",
       {},
       "![Simulated horizontal spectra and BSSA14](figures/simulated_spectra_horizontal.svg)\n\n"
       "![Simulated vertical spectra and BSSA14 times "

@@ -162,9 +162,9 @@ Chapter standards() {
   Chapter chapter{
       "7. Standards",
       "ASCE 7, SEAOC PV1, permit calculations",
-      R"(Prescriptive displacements, separations, design spectra and site coefficients are compared with published
-calculations. Values marked *recalled* are from memory of the standard: such a case shows that they are
-applied, not that they are correct.)",
+      R"(Prescriptive displacements, separations, design spectra and site coefficients against published
+calculations. *Recalled* values are from memory of the standard: such a case shows that they are applied, not
+that they are correct.)",
       {}};
   add_displacements(chapter.cases);
   add_spectrum(chapter.cases);

@@ -227,9 +227,9 @@ Chapter buildings_of_storeys() {
   Chapter chapter{
       "4.2 Buildings of several storeys",
       "full matrices in long double",
-      R"(Modes are compared with closed forms and with the published equations in 100 digits. An array on
-a building of several modes is compared with what the full matrices of mass, damping and stiffness give:
-in closed form without friction and stuck, by Radau IIA while it slides.)",
+      R"(Modes are compared with closed forms and with the published equations in 100 digits. An array on them is
+compared with the full matrices of mass, damping and stiffness: in closed form without friction and stuck,
+by Radau IIA while it slides.)",
       {}};
   const auto add = [&](Case c) { chapter.cases.push_back(std::move(c)); };
   for (const double alpha : {0.5, 2.0, 10.0, 30.0}) add(cantilever(alpha));

@@ -192,19 +192,15 @@ RoofAcceleration at_one_g(const Motion& motion) {
 Chapter first_paper_checks(const Folders& folders) {
   const Suite suite = load_suite(folders.suites / "synthetic_level4.toml");
   Chapter chapter{
-      "1.1 The first paper: physical checks", "the limits that the paper states",
-      R"(The section "Physical checks" of the paper has four limits of the model. They are checked with the
-numbers of the paper for three solvers: `slide()`, the kernel `peak_slip()` and the published scheme
-at P = 64.
+      "1.1 Physical checks", "the limits that the paper states",
+      R"(The four limits of the model in the section "Physical checks" of the paper, with its numbers, for
+`slide()`, the kernel `peak_slip()` and the published scheme at P = 64. Where a motion is needed it is the
+first of suite level 4, scaled to a peak plane acceleration of 1.0 g, without vertical. Positions are in
+plan. The paper does not state the acceleration that started its block, nor the time at which it
+compared positions.
 
-If a motion is needed, it is the first one of suite level 4, scaled as in the paper to a peak plane
-acceleration of 1.0 g, without vertical. The paper gives the position along the plane. Here it is in
-plan (times cos). The paper does not state the acceleration that started its block, nor the time at
-which it compared positions.
-
-At exactly the critical friction, required and available friction are equal. The published scheme
-sticks only if the required friction is smaller. So rounding decides whether the block rests, as in
-the paper, or moves in the first substep.)",
+At exactly the critical friction, required and available friction are equal. Rounding decides whether
+the published scheme rests, as in the paper, or moves in the first substep.)",
       joined({sticks_until_a_peak_acceleration(), slides_down_a_still_slope(),
               differs_by_the_slopes_sign(suite), slides_below_the_critical_friction()})};
   const auto passed = std::ranges::count_if(chapter.cases, [](const Case& c) { return c.pass; });

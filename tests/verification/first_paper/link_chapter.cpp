@@ -121,36 +121,31 @@ Chapter first_paper_link(const Folders& folders) {
   const std::vector<LinkRun> runs = run_links(suite);
   draw_links(runs, suite.motions.front(), folders.figures);
   return {
-      "1.2 The first paper: its comparison with SAP 2000",
+      "1.2 Comparison with SAP 2000",
       "the exact solution, and the comparison in the paper",
-      R"(The paper compares the residual displacement (RRD) of its scheme with that of SAP 2000, on a flat
-roof and on 4 degrees. PRD is the peak displacement. SAP 2000 is the baseline. Which of the two has
-the error? The same cases are solved by `slide()`, which is exact, by the published scheme, and by a model of the link element of SAP 2000 as
-the paper describes it (tests/elastic_link): weight 1 N, springs of 100 N/mm along and normal to the
-roof, no damping, explicit Newmark steps of 1 ms (gamma 1/2, beta 0) with one iteration. SAP 2000
-itself was not run.
+      R"(The paper compares the residual displacement (RRD) of its scheme with that of SAP 2000, on a flat roof and
+on 4 degrees. Which of the two has the error? The same cases are solved by `slide()`, which is exact, by
+the published scheme, and by the link element of SAP 2000 as the paper describes it (tests/elastic_link):
+weight 1 N, springs of 100 N/mm along and normal to the roof, no damping, explicit Newmark steps of 1 ms
+(gamma 1/2, beta 0) with one iteration. SAP 2000 itself was not run. PRD is the peak displacement.
 
-The motions are the first horizontal components of suite level 4, each scaled to 1.0 g, without
-verticals. They have a step of 5 ms; the record of the paper has 10 ms. So P = 32 has the substep of
-the paper. After the record the link vibrates without end: its slip is that of the slider, without the
-deflection of the spring. Its friction is elastic-plastic, and it opens in tension. The rounded curve of
-Wen, which the CSI Analysis Reference Manual describes, is also computed.
+The motions are the first horizontal components of suite level 4, each scaled to 1.0 g. Their step is
+5 ms, that of the paper 10 ms: P = 32 has the substep of the paper. The slip of the link is without the
+deflection of its spring, which vibrates without end. Its friction is elastic-plastic, or has the rounded
+curve of Wen (CSI Analysis Reference Manual); it opens in tension.
 
-**Cause of the difference.** The link can vibrate; the block cannot. When the link stops sliding, it
-vibrates about the static force. It then starts to slide again earlier, with a velocity of up to
-2 mu g / omega, and keeps this error as long as it slides. The error decreases with the square root of
-the stiffness, towards the exact solution. A smaller substep alone changes little, so that
-agreement of two substeps does not show the error. The paper found similar results with 1,000 N/mm and does not
-state the substep used there. With 1 ms the explicit scheme is unstable (omega dt > 2).
+**Cause of the difference.** When the link stops sliding, it vibrates about the static force. It then
+starts to slide again earlier, with a velocity of up to 2 mu g / omega. The error decreases with the square
+root of the stiffness; a smaller substep alone changes little, so that agreement of two substeps does not
+show it. The paper found similar results with 1,000 N/mm and does not state the substep. With 1 ms that is
+unstable (omega dt > 2).
 
-**Source of the error.** On the flat roof the difference of scheme and link is mainly the error of the
-link: it remains when the exact solution replaces the scheme. The residual displacement is the
-difference of larger slips in both directions. An error that is small relative to the peak is large
-relative to a small residual.
+**Source of the error.** On the flat roof it is mainly the link: the difference remains when the exact
+solution replaces the scheme. The residual is the difference of larger slips in both directions, so that
+an error that is small relative to the peak is large relative to it.
 
-**On 4 degrees** the link of the paper was not in static equilibrium at the start, and had errors at
-low friction. A link that starts in equilibrium agrees at low friction also. With the curve of Wen,
-which is flexible at any force, the vibrating link creeps down the slope.)",
+**On 4 degrees** the link of the paper was not in equilibrium at the start, and had errors at low friction.
+A link that starts in equilibrium agrees there too. With the curve of Wen it creeps down the slope.)",
       cases(runs),
       "![Flat roof: peak and residual slip over friction](figures/first_paper_flat.svg)\n"
       "![Slope of 4 degrees: peak and residual slip over friction](figures/first_paper_4deg.svg)\n",

@@ -44,7 +44,6 @@ std::string worst_residual(const std::vector<LinkRun>& runs) {
 using Pick = std::function<Slips(const LinkRun&)>;
 Slips link(const LinkRun& run) { return by(run, paper_link); }
 Slips scheme(const LinkRun& run) { return by(run, scheme_64); }
-Slips coarse_scheme(const LinkRun& run) { return by(run, scheme_32); }
 
 /// In per cent of the baseline.
 Spread difference(const std::vector<LinkRun>& runs, const Selection& selected, double Slips::*which,
@@ -65,9 +64,7 @@ std::string difference_table(const std::vector<LinkRun>& runs) {
     Pick value, baseline;
   } pairs[] = {{"scheme - link", scheme, link},
                {"exact - link", exact, link},
-               {"scheme - exact", scheme, exact},
-               {"scheme, P = 32 - link", coarse_scheme, link},
-               {"scheme, P = 32 - exact", coarse_scheme, exact}};
+               {"scheme - exact", scheme, exact}};
   for (const auto& [motions, count] :
        {std::pair{"first motion", std::size_t{1}}, std::pair{"seven motions", every_motion}})
     for (const auto& [name, value, baseline] : pairs) {

@@ -174,16 +174,15 @@ Chapter first_paper_parametric_study(const Folders& folders) {
       within({"mu 0.5, 1.5 g", "slip over slope", paper + "Fig. 11: nearly linear"},
              {"R2 of a straight line", linearity(chart, levels - 1), 0.95, 1.0})};
   return {
-      "1.4 The first paper: the parametric study",
+      "1.4 Parametric study",
       "Figs. 10 to 12 of the paper",
-      R"(Study 06 has 29 slopes, 15 frictions and 16 peak accelerations of one motion on a rigid roof. The
-larger of the results of a slope and of its mirror image is taken, as in the paper. Slip may decrease
-with intensity: a motion with a larger factor may move the block back by more.
+      R"(Study 06 has 29 slopes, 15 frictions and 16 peak accelerations of one motion on a rigid roof. The larger
+result of a slope and of its mirror image is taken, as in the paper. The displacement may decrease with
+intensity, as a larger motion may move the block back by more.
 
-The table compares readings of Fig. 12 of the paper, at a peak roof acceleration of 1.5 g, with those of
-study 06, with all 22 motions of the suite, and with study 08. Study 08 has the same grid for the
-future work of the paper: every orientation, verticals, buildings of 0 to 2 s, and the
-intensity of the ground motion. Study 07 has recorded motions ([studies](../../studies/README.md)).)",
+Readings of Fig. 12 of the paper are at a peak roof acceleration of 1.5 g. Study 08 is the same grid with
+every orientation, verticals, buildings of 0 to 2 s, and the intensity of the ground. Recorded motions (study
+07): [studies](../../studies/README.md#the-first-paper).)",
       cases,
       "![Contours of peak slip over friction and slope (study 06)]"
       "(../../studies/figures/06_chart_contours.svg)\n"

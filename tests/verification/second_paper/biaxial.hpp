@@ -36,11 +36,7 @@ std::vector<Case> two_axis_closed_forms();
 /// The full model by other methods.
 std::vector<Case> two_axis_other_methods();
 
-/// Measured convergence of the two-axis integration: cases, and the table below them.
-struct Convergence {
-  std::vector<Case> cases;
-  std::string table;
-};
-Convergence two_axis_convergence(const Folders& folders);
+/// Convergence of the two-axis integration.
+std::vector<Case> two_axis_convergence(const Folders& folders);
 
 }  // namespace glissade::verification

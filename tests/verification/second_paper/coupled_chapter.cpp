@@ -180,16 +180,12 @@ Case balance(const std::vector<CoupledScene>& scenes) {
 Chapter second_paper_coupled() {
   const std::vector<CoupledScene> scenes = coupled_scenes(200, 3);
   return {
-      "2.1 The second paper: coupled building and array",
-      "Den Hartog 1931; 50 digits; energy balance",
-      R"(The paper puts the mass of the array, 5 to 10 % of that of the building, on a building of one degree
-of freedom. `slide_coupled()` solves the phases of sticking and of sliding as linear oscillators in
-closed form.
-
-Three limits have known results: no mass, a rigid building, and an array that never slides. Between
-them the references are the oscillator with dry friction (Den Hartog 1931), the equations solved in 50
-digits, and the energy balance. The steady states are those of sampled motions with 1,000 samples a
-cycle: this alone causes an error of up to 1e-8 of the driving amplitude of 0.05 m.)",
+      "2.1 Coupled building and array", "Den Hartog 1931; 50 digits; energy balance",
+      R"(An array of 5 to 10 % of the building's mass on a building of one degree of freedom. `slide_coupled()`
+solves the phases of sticking and of sliding in closed form. The limits of no mass, a rigid building and no
+sliding are known. Between them the references are Den Hartog (1931), the equations solved in 50 digits,
+and the energy balance. Steady states are of motions sampled at 1,000 samples a cycle, which alone causes an
+error of up to 1e-8 of the driving amplitude of 0.05 m.)",
       joined({{without_mass(), vanishing_mass(scenes), rigid_building(scenes), sticking_array(),
                fifty_digits()},
               friction_oscillators(),

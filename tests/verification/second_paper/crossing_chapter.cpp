@@ -148,10 +148,9 @@ std::vector<Case> on_building() {
 Chapter second_paper_crossings(const Folders& folders) {
   const Suite suite = load_suite(folders.suites / "synthetic_level2.toml");
   return {
-      "2.5 The second paper: impact", "closed forms",
-      R"(The paper cannot assess a parapet, because the speed of the array at impact is not known. Each kernel
-gives the time and the speed at which the block first reaches a given distance. Near a stop the speed,
-and its error, is proportional to the square root of the remaining distance.)",
+      "2.5 Impact", "closed forms",
+      R"(Time and speed at which the block first reaches a given distance, by each kernel. Near a stop the speed, and
+its error, is proportional to the square root of the remaining distance.)",
       joined({constant_push(), {at_the_peak()}, tabulated(suite), on_building()})};
 }
 

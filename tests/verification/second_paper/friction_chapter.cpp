@@ -151,11 +151,10 @@ std::vector<Case> pushed_past_speeds() {
 
 Chapter second_paper_friction() {
   return {
-      "2.4 The second paper: friction laws", "closed forms",
-      R"(The paper distinguishes static ("breakaway") and sliding friction. At rest, friction is up to
-`static_over_sliding` times mu. In sliding, mu may depend on speed by Constantinou, Mokha & Reinhorn
-(1990), J. Struct. Eng. 116(2):455-474. `slide_coupled()` solves the first exactly;
-`slide_on_building()` solves both, here with a tolerance of 1e-9.)",
+      "2.4 Friction laws", "closed forms",
+      R"(Static friction above sliding friction, and friction by speed (Constantinou, Mokha & Reinhorn 1990).
+`slide_coupled()` solves the first exactly; `slide_on_building()` solves both, here with a tolerance of
+1e-9.)",
       joined({constant_push(),
               {growing_push(), metastable_slope()},
               coasting(),

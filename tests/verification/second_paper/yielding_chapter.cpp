@@ -212,10 +212,10 @@ std::vector<Case> stays_elastic(const std::vector<CoupledScene>& scenes) {
 Chapter second_paper_yielding() {
   const std::vector<CoupledScene> scenes = yielding_scenes(150, 5);
   return {
-      "2.2 The second paper: yielding building", "Biggs 1964; 50 digits; energy balance",
-      R"(The paper studies the effect of a yielding building. The spring is bilinear; its strength is the elastic
-demand over R. The building alone has closed forms. With the block the references are the equations
-solved in 50 digits and the energy balance with hysteresis. R = 1 must give the linear building.)",
+      "2.2 Yielding building", "Biggs 1964; 50 digits; energy balance",
+      R"(A bilinear spring whose strength is the elastic demand over R. The building alone has closed forms. With the
+block the references are the equations solved in 50 digits and the energy balance with hysteresis. R = 1
+must give the linear building.)",
       joined({suddenly_applied(),
               {growing_pulse(), textbook_loop(), fifty_digits()},
               balance(scenes),
