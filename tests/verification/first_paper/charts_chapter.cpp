@@ -108,8 +108,8 @@ Chapter first_paper_charts(const Folders& folders) {
       "none; its cases are in chapter 10",
       R"(Studies 09 to 13 with the model of the first paper: one axis, no mass of the array. The clearance is 1.1
 times the mean of a suite, the largest over 37 buildings of 0.2 to 2 s, for each Intensity Level of Walters
-et al. (2012). Linear interpolation reads slightly too much, as displacement is nearly convex in slope
-and friction. Walters et al. use six periods, between which the mean may have its maximum.
+et al. (2012). Linear interpolation reads slightly too much. Walters et al. use six periods, between which the
+mean may have its maximum.
 
 The table is at 1 degree and mu 0.45; one row is the example of Walters et al., who give 286 mm (11.2 in)
 from seven recorded motions, both axes and an array mass of 5 to 10 %.)",

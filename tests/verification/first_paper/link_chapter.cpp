@@ -126,13 +126,13 @@ Chapter first_paper_link(const Folders& folders) {
       R"(The paper compares the residual displacement (RRD) of its scheme with that of SAP 2000, on a flat roof and
 on 4 degrees. Which of the two has the error? The same cases are solved by `slide()`, which is exact, by
 the published scheme, and by the link element of SAP 2000 as the paper describes it (tests/elastic_link):
-weight 1 N, springs of 100 N/mm along and normal to the roof, no damping, explicit Newmark steps of 1 ms
-(gamma 1/2, beta 0) with one iteration. SAP 2000 itself was not run. PRD is the peak displacement.
+weight 1 N, springs of 100 N/mm, no damping, explicit Newmark steps of 1 ms (gamma 1/2, beta 0). SAP 2000
+itself was not run. PRD is the peak displacement.
 
 The motions are the first horizontal components of suite level 4, each scaled to 1.0 g. Their step is
 5 ms, that of the paper 10 ms: P = 32 has the substep of the paper. The slip of the link is without the
-deflection of its spring, which vibrates without end. Its friction is elastic-plastic, or has the rounded
-curve of Wen (CSI Analysis Reference Manual); it opens in tension.
+deflection of its spring. Its friction is elastic-plastic, or has the rounded curve of Wen (CSI Analysis
+Reference Manual).
 
 **Cause of the difference.** When the link stops sliding, it vibrates about the static force. It then
 starts to slide again earlier, with a velocity of up to 2 mu g / omega. The error decreases with the square
@@ -141,14 +141,13 @@ show it. The paper found similar results with 1,000 N/mm and does not state the 
 unstable (omega dt > 2).
 
 **Source of the error.** On the flat roof it is mainly the link: the difference remains when the exact
-solution replaces the scheme. The residual is the difference of larger slips in both directions, so that
-an error that is small relative to the peak is large relative to it.
+solution replaces the scheme. An error that is small relative to the peak is large relative to a residual.
 
 **On 4 degrees** the link of the paper was not in equilibrium at the start, and had errors at low friction.
 A link that starts in equilibrium agrees there too. With the curve of Wen it creeps down the slope.)",
       cases(runs),
-      "![Flat roof: peak and residual slip over friction](figures/first_paper_flat.svg)\n"
-      "![Slope of 4 degrees: peak and residual slip over friction](figures/first_paper_4deg.svg)\n",
+      "![Flat roof: peak and residual displacement over friction](figures/first_paper_flat.svg)\n"
+      "![Slope of 4 degrees: the same](figures/first_paper_4deg.svg)\n",
       link_tables(runs),
       link_findings(runs),
       {link_scenes(runs)}};

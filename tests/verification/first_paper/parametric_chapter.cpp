@@ -105,7 +105,7 @@ std::vector<Finding> findings_on(const std::vector<Case>& trends, const Chart& o
   const bool confirmed = std::ranges::all_of(trends, [](const Case& c) { return c.pass; });
   const ChartReading &slip = all.readings[0], &friction = all.readings[1];
   return {
-      {"Figs. 10 to 12: slip grows with intensity and slope, and as friction falls; nearly "
+      {"Figs. 10 to 12: displacement grows with intensity and slope, and as friction falls; nearly "
        "linear over slope at mu 0.5",
        "the same, by the cases of this chapter", yes(confirmed)},
       {"peak displacement at mu 0.5, 4 deg and 1.5 g: 1000 mm",
@@ -184,10 +184,10 @@ Readings of Fig. 12 of the paper are at a peak roof acceleration of 1.5 g. Study
 every orientation, verticals, buildings of 0 to 2 s, and the intensity of the ground. Recorded motions (study
 07): [studies](../../studies/README.md#the-first-paper).)",
       cases,
-      "![Contours of peak slip over friction and slope (study 06)]"
+      "![Displacement over friction and slope (study 06)]"
       "(../../studies/figures/06_chart_contours.svg)\n"
-      "![Peak slip over intensity (study 06)](../../studies/figures/06_chart_intensity.svg)\n"
-      "![Peak slip over slope (study 06)](../../studies/figures/06_chart_slope_levels.svg)\n",
+      "![Displacement over intensity (study 06)](../../studies/figures/06_chart_intensity.svg)\n"
+      "![Displacement over slope (study 06)](../../studies/figures/06_chart_slope_levels.svg)\n",
       readings_table({{"study 06, one built-in motion", chart, &ChartReading::envelope},
                       {"its 22 motions: mean", *all.chart, &ChartReading::mean},
                       {"84th percentile", *all.chart, &ChartReading::p84},

@@ -184,8 +184,8 @@ Chapter second_paper_coupled() {
       R"(An array of 5 to 10 % of the building's mass on a building of one degree of freedom. `slide_coupled()`
 solves the phases of sticking and of sliding in closed form. The limits of no mass, a rigid building and no
 sliding are known. Between them the references are Den Hartog (1931), the equations solved in 50 digits,
-and the energy balance. Steady states are of motions sampled at 1,000 samples a cycle, which alone causes an
-error of up to 1e-8 of the driving amplitude of 0.05 m.)",
+and the energy balance. Sampling at 1,000 samples a cycle alone causes an error of up to 1e-8 of the driving
+amplitude of 0.05 m.)",
       joined({{without_mass(), vanishing_mass(scenes), rigid_building(scenes), sticking_array(),
                fifty_digits()},
               friction_oscillators(),

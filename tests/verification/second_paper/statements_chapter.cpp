@@ -207,10 +207,8 @@ Chapter second_paper_statements(const Folders& folders) {
   return {
       "2.7 What the paper states",
       "Walters et al. 2012, Figs. 14 to 18",
-      R"(Studies 14 to 21 repeat the examples of the paper; its statements are in the table of chapter 2. Those
-that can be checked on built-in suites are cases, but for one that is not confirmed: a base shear lower
-than without an array. Study 14 needs the recorded motions:
-[studies](../../studies/README.md#the-second-paper).)",
+      R"(Studies 14 to 21 repeat the examples of the paper: table of chapter 2. What is confirmed on built-in suites
+is a case. Study 14 needs the recorded motions: [studies](../../studies/README.md#the-second-paper).)",
       {base_shear_case(shear), slope, level, at_mce},
       "",
       "",
