@@ -28,4 +28,11 @@ double log_normal_cdf(double z) {
   return gsl_sf_log_erfc(-z / std::numbers::sqrt2) - std::numbers::ln2;
 }
 
+double log_normal_between(double low, double high) {
+  if (low > 0) return log_normal_between(-high, -low);
+  const double above = log_normal_cdf(high);
+  if (std::isinf(low)) return above;
+  return above + std::log1p(-std::exp(log_normal_cdf(low) - above));
+}
+
 }  // namespace glissade

@@ -19,14 +19,6 @@ namespace {
   throw InputError({"", what, suggestion, ""});
 }
 
-/// ln(Phi(to) - Phi(from)), from < to, in the tail where both are small.
-double log_probability_between(double from, double to) {
-  if (from > 0.0) return log_probability_between(-to, -from);
-  const double upper = log_normal_cdf(to);
-  if (std::isinf(from)) return upper;
-  return upper + std::log1p(-std::exp(log_normal_cdf(from) - upper));
-}
-
 }  // namespace
 
 HazardCurve::HazardCurve(std::vector<HazardPoint> points) : points_(std::move(points)) {
@@ -99,7 +91,7 @@ double annual_rate(const HazardCurve& hazard, const FragilityCurve& fragility) {
     const double from = i == 0 ? -infinity : z(i) + k * beta;
     const double to = i + 2 == points.size() ? infinity : z(i + 1) + k * beta;
     rate += std::exp(std::log(points[i].annual_rate) + k * std::log(points[i].intensity / theta) +
-                     0.5 * k * k * beta * beta + log_probability_between(from, to));
+                     0.5 * k * k * beta * beta + log_normal_between(from, to));
   }
   return rate;
 }

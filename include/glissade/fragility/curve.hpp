@@ -19,5 +19,7 @@ struct FragilityCurve {
 
 /// ln Phi(z), finite (|z| < 1e150) and accurate to a few parts in 1e15 in both tails.
 double log_normal_cdf(double z);
+/// ln[Phi(high) - Phi(low)], low < high, in the tail where both are small; `low` may be -infinity.
+double log_normal_between(double low, double high);
 
 }  // namespace glissade
