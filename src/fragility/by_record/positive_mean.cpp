@@ -62,8 +62,6 @@ struct Lognormal {
 
 Interval positive_mean_interval(const std::vector<double>& values,
                                 const BootstrapOptions& options) {
-  GLISSADE_EXPECTS(options.replicates >= 100);
-  GLISSADE_EXPECTS(options.level > 0 && options.level < 1);
   GLISSADE_EXPECTS(
       std::ranges::all_of(values, [](double v) { return v >= 0 && std::isfinite(v); }));
   if (values.size() < 2) return {};
@@ -72,8 +70,9 @@ Interval positive_mean_interval(const std::vector<double>& values,
   if (!(mean > 0) || std::ranges::minmax(values).min == std::ranges::minmax(values).max)
     return {values.front(), values.front()};
   std::vector<double> logs, ts;
-  for (int r = 0; r < options.replicates; ++r) {
-    const EstimateWithError one = log_mean(values, draw_records(values.size(), options, r));
+  for (const EstimateWithError one : resampled(values.size(), options, [&](const auto& weights) {
+         return log_mean(values, weights);
+       })) {
     logs.push_back(one.value);
     ts.push_back(signed_t(one, all.value));
   }

@@ -117,16 +117,20 @@ std::vector<RecordDispersion> record_dispersions(const std::vector<RecordRegress
                                                  const BootstrapOptions& options) {
   GLISSADE_EXPECTS(!regressions.empty());
   const std::size_t records = regressions.front().records();
-  std::vector<std::vector<fragility::EstimateWithError>> replicates(regressions.size());
+  using Logs = std::vector<fragility::EstimateWithError>;
+  std::vector<Logs> replicates(regressions.size());
   std::vector<double> smallest(regressions.size(), 0.0);
-  for (int r = 0; r < options.replicates; ++r) {
-    const std::vector<double> weights = fragility::draw_records(records, options, r);
-    for (std::size_t i = 0; i < regressions.size(); ++i)
-      replicates[i].push_back(log_std_of(fit_records(regressions[i], weights)));
-    double least = std::numeric_limits<double>::infinity();
-    for (const auto& of_one : replicates) least = std::min(least, of_one.back().value);
+  const auto of_resample = [&](const std::vector<double>& weights) {
+    Logs logs;
+    for (const RecordRegression& data : regressions)
+      logs.push_back(log_std_of(fit_records(data, weights)));
+    return logs;
+  };
+  for (const Logs& logs : fragility::resampled(records, options, of_resample)) {
+    const double least = std::ranges::min(logs, {}, &fragility::EstimateWithError::value).value;
     for (std::size_t i = 0; i < regressions.size(); ++i) {
-      if (replicates[i].back().value <= least + tie) smallest[i] += 1.0 / options.replicates;
+      replicates[i].push_back(logs[i]);
+      if (logs[i].value <= least + tie) smallest[i] += 1.0 / options.replicates;
     }
   }
   std::vector<RecordDispersion> all;

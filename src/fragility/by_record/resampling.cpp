@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "glissade/core/contract.hpp"
 #include "glissade/core/distributions.hpp"
 #include "glissade/core/finite.hpp"
 #include "glissade/core/normal.hpp"
@@ -76,12 +75,9 @@ std::vector<Interval> bootstrap_intervals(
     std::size_t records, std::size_t count,
     const std::function<std::vector<double>(const std::vector<double>&)>& statistics,
     const BootstrapOptions& options) {
-  GLISSADE_EXPECTS(options.replicates >= 100);
-  GLISSADE_EXPECTS(options.level > 0 && options.level < 1);
   if (records < 2) return std::vector<Interval>(count);
   std::vector<std::vector<double>> values(count);  // [statistic][replicate]
-  for (int r = 0; r < options.replicates; ++r) {
-    const std::vector<double> found = statistics(fragility::draw_records(records, options, r));
+  for (const std::vector<double>& found : fragility::resampled(records, options, statistics)) {
     GLISSADE_EXPECTS(found.size() == count);
     for (std::size_t i = 0; i < count; ++i) values[i].push_back(found[i]);
   }

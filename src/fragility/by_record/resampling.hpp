@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "glissade/core/contract.hpp"
 #include "glissade/fragility/bootstrap.hpp"
 
 namespace glissade::fragility {
@@ -10,6 +11,17 @@ namespace glissade::fragility {
 /// How often each of `records` is drawn in one resample of as many.
 std::vector<double> draw_records(std::size_t records, const BootstrapOptions& options,
                                  int replicate);
+
+/// `statistic(weights)` of every resample, by how often each of `records` is drawn in it.
+template <class Statistic>
+auto resampled(std::size_t records, const BootstrapOptions& options, const Statistic& statistic) {
+  GLISSADE_EXPECTS(options.replicates >= 100);
+  GLISSADE_EXPECTS(options.level > 0 && options.level < 1);
+  std::vector<decltype(statistic(std::vector<double>()))> found;
+  for (int r = 0; r < options.replicates; ++r)
+    found.push_back(statistic(draw_records(records, options, r)));
+  return found;
+}
 
 /// A quantity and its standard error; the error is NaN where there is none.
 struct EstimateWithError {
