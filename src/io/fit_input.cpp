@@ -28,14 +28,14 @@ CountsInput read_counts(const std::filesystem::path& file) {
   CountsInput counts;
   std::map<std::pair<double, std::size_t>, std::size_t> line_of;
   const auto take = [&](const NumberRow& row) -> RowTrouble {
-    const Stripe stripe{row.values[0], row.values[1], row.values[2]};
+    const Stripe stripe{row.values[0], row.values[1], row.values[2], row.weight, row.record};
     if (std::string trouble = trouble_with(stripe); !trouble.empty()) return {trouble};
     const auto [first, is_new] = line_of.emplace(std::pair(stripe.intensity, row.record), row.line);
     if (!is_new && !row.has_weight)
       return {fmt::format("this im is already on line {}: add the counts up", first->second), "",
               "again"};
     counts.has = {row.has_record, row.has_weight};
-    counts.rows.push_back({stripe, row.weight, row.record});
+    counts.rows.push_back(stripe);
     return {};
   };
   read_number_rows(file, {{{"im", "num_gms", "num_exceed"}, take}},

@@ -14,9 +14,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   may_refuse([&] {
     const auto counts = glissade::read_counts(file);
     check(!counts.rows.empty(), "there is a level");
-    for (const glissade::WeightedStripe& row : counts.rows) {
-      const glissade::Stripe& s = row.stripe;
-      check_row(row);
+    for (const glissade::Stripe& s : counts.rows) {
+      check_row(s);
       check(std::isfinite(s.intensity) && s.intensity > 0.0, "im is above zero");
       check(s.trials >= 1.0 && s.exceedances >= 0.0 && s.exceedances <= s.trials,
             "0 <= num_exceed <= num_gms");
@@ -25,7 +24,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   may_refuse([&] {
     const auto capacities = glissade::read_capacities(file);
     check(!capacities.rows.empty(), "there is a capacity");
-    for (const glissade::CapacityBracket& row : capacities.rows) {
+    for (const glissade::Bracket& row : capacities.rows) {
       check_row(row);
       check(std::isfinite(row.low) && row.low >= 0.0 && row.low <= row.high,
             "0 <= im_low <= im_high");

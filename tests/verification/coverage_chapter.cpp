@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
 #include <array>
 #include <cmath>
 
 #include "chapters.hpp"
 #include "coverage_of_fits.hpp"
+#include "glissade/core/finite.hpp"
 #include "glissade/core/normal.hpp"
 #include "glissade/core/random.hpp"
-#include "glissade/fragility/bootstrap.hpp"
+#include "glissade/fragility/cloud.hpp"
+#include "glissade/fragility/fit.hpp"
 #include "glissade/fragility/share.hpp"
-#include "glissade/fragility/weighted_fit.hpp"
 
 namespace glissade::verification {
 namespace {
@@ -30,8 +32,8 @@ std::vector<double> intensities() {
 }
 
 struct Study {
-  std::vector<RecordStripes> stripes;
-  std::vector<RecordCapacities> capacities;
+  std::vector<Stripe> stripes;
+  std::vector<Bracket> capacities;
   std::vector<double> shares;  // exceeding at the design earthquake, by record
 };
 
@@ -68,36 +70,22 @@ double true_quantile(Records kind, double probability) {
 
 Study simulated_study(std::uint64_t seed, std::size_t records, Records kind, double dbe) {
   const auto x = intensities();
-  Study study{std::vector<RecordStripes>(records, {std::vector<double>(levels, 0.0),
-                                                   std::vector<double>(levels, samples)}),
-              std::vector<RecordCapacities>(records), std::vector<double>(records)};
+  Study study;
+  study.shares.resize(records);
   for (std::size_t i = 0; i < records; ++i) {
     const double a = record_part(kind, seed, i);
+    for (const double level : x) study.stripes.push_back({level, samples, 0.0, 1.0, i});
     for (std::uint32_t s = 1; s <= samples; ++s) {
       const double capacity =
           std::exp(a + within_records * keyed_normal(seed, RandomPurpose::test, i, s));
       for (std::size_t j = 0; j < levels; ++j)
-        study.stripes[i].exceedances[j] += capacity < x[j] ? 1.0 : 0.0;
+        study.stripes[levels * i + j].exceedances += capacity < x[j] ? 1.0 : 0.0;
       study.shares[i] += capacity < dbe ? 1.0 / samples : 0.0;
-      if (capacity < x.back()) {
-        study.capacities[i].capacities.push_back(capacity);
-      } else {
-        study.capacities[i].censored += 1.0;
-      }
+      study.capacities.push_back(
+          {std::min(capacity, x.back()), capacity < x.back() ? capacity : infinity, 1.0, i});
     }
   }
   return study;
-}
-
-std::vector<Stripe> pooled(const std::vector<RecordStripes>& records) {
-  std::vector<Stripe> stripes;
-  for (const double x : intensities()) stripes.push_back({x, 0.0, 0.0});
-  for (const RecordStripes& record : records)
-    for (std::size_t j = 0; j < stripes.size(); ++j) {
-      stripes[j].trials += record.trials[j];
-      stripes[j].exceedances += record.exceedances[j];
-    }
-  return stripes;
 }
 
 constexpr std::array band_probabilities = {0.02, 0.10, 0.50, 0.90};
@@ -115,12 +103,11 @@ double covers(const Interval& interval, double truth) {
   return interval.low <= truth && truth <= interval.high ? 1.0 / studies : 0.0;
 }
 
-void add(FitCoverage& share, const FitSummary& fit, const std::vector<Interval>& band,
-         double true_median) {
+void add(FitCoverage& share, const FitSummary& fit, double true_median) {
   share.median += covers(fit.median_interval, true_median);
   share.log_std += covers(fit.log_std_interval, total_log_std);
-  for (std::size_t i = 0; i < band.size(); ++i)
-    share.band[i] += covers(band[i], band_probabilities[i]);
+  for (std::size_t i = 0; i < fit.band.size(); ++i)
+    share.band[i] += covers(fit.band[i], band_probabilities[i]);
 }
 
 Coverage coverage(std::size_t records, Records kind) {
@@ -133,14 +120,11 @@ Coverage coverage(std::size_t records, Records kind) {
                dbe = std::exp(true_quantile(kind, dbe_probability));
   for (std::uint64_t i = 0; i < studies; ++i) {
     const Study study = simulated_study(10000 + i, records, kind, dbe);
-    std::vector<Interval> band;
-    const FitSummary by_stripes = fit_stripes_by_record(x, study.stripes, at, &band);
-    add(share.stripes, by_stripes, band, median);
-    const FitSummary by_capacities =
-        fit_capacities_by_record(study.capacities, x.back(), at, &band);
-    add(share.capacities, by_capacities, band, median);
+    add(share.stripes, fit_stripes(study.stripes, Independent::records, at), median);
+    add(share.capacities, fit_brackets(study.capacities, Independent::records, at), median);
     share.share += covers(share_interval(study.shares), dbe_probability);
-    share.naive_median += covers(fit_stripes(pooled(study.stripes)).median_interval, median);
+    share.naive_median +=
+        covers(fit_stripes(study.stripes, Independent::rows).median_interval, median);
   }
   return share;
 }

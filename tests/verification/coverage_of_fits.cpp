@@ -9,7 +9,7 @@
 
 #include "glissade/core/finite.hpp"
 #include "glissade/core/random.hpp"
-#include "glissade/fragility/weighted_fit.hpp"
+#include "glissade/fragility/fit.hpp"
 
 namespace glissade::verification {
 namespace {
@@ -53,8 +53,8 @@ constexpr std::array designs = {
 constexpr double shift = 0.5;
 
 FitSummary fit_of(const Design& design, std::size_t records, std::uint64_t seed) {
-  std::vector<CapacityBracket> capacities;
-  std::vector<WeightedStripe> counts;
+  std::vector<Bracket> capacities;
+  std::vector<Stripe> counts;
   const double by_record = design.rows == 1 ? 1.0 : std::sqrt(design.correlation),
                by_row = std::sqrt(1 - by_record * by_record);
   for (std::size_t i = 0; i < records; ++i) {
@@ -72,13 +72,11 @@ FitSummary fit_of(const Design& design, std::size_t records, std::uint64_t seed)
       capacities.push_back({reached ? c : design.limit, reached ? c : infinity, weight, i});
     }
     for (std::size_t j = 0; j < exceed.size() && design.kind == Design::counts; ++j)
-      counts.push_back({{design.limit * static_cast<double>(j + 1) / 5,
-                         static_cast<double>(design.rows), exceed[j]},
-                        1.0,
-                        i});
+      counts.push_back({design.limit * static_cast<double>(j + 1) / 5,
+                        static_cast<double>(design.rows), exceed[j], 1.0, i});
   }
-  return design.kind == Design::counts ? fit_weighted_stripes(counts)
-                                       : fit_brackets(capacities, false);
+  return design.kind == Design::counts ? fit_stripes(counts, Independent::records)
+                                       : fit_brackets(capacities, Independent::records);
 }
 
 /// Of the sets that have an interval.

@@ -14,7 +14,8 @@ using namespace worked_examples;
 const std::string two = "two independent programs", published = "published fit; " + two;
 
 std::vector<Case> baker() {
-  const FitSummary fit = fit_stripes(baker_2015()), penalised = fit_stripes_jeffreys(baker_2015());
+  const FitSummary fit = fit_stripes(baker_2015(), Independent::rows),
+                   penalised = fit_stripes_jeffreys(baker_2015(), Independent::rows);
   return joined({compare_all("ex1: Baker (2015), 8 stripes of 40", two,
                              {{"median", {fit.curve.median, 1.076115794, 1e-9}},
                               {"log_std", {fit.curve.log_std, 0.4292372038, 1e-9}},
@@ -24,18 +25,19 @@ std::vector<Case> baker() {
                               {"log_std, low end", {fit.log_std_interval.low, 0.301758, 2e-6}},
                               {"log_std, high end", {fit.log_std_interval.high, 0.650025, 1e-6}},
                               {"log likelihood at (0.8, 0.5)",
-                               {stripe_log_likelihood(baker_2015(), {0.8, 0.5}), -39.433505974789,
-                                1e-12, Metric::absolute}}}),
+                               {log_likelihood(baker_2015(), {0.8, 0.5}), -39.433505974789, 1e-12,
+                                Metric::absolute}}}),
                  compare_all("ex1, Jeffreys penalised", two,
                              {{"median", {penalised.curve.median, 1.086048945, 1e-9}},
                               {"log_std", {penalised.curve.log_std, 0.4478973625, 1e-9}}})});
 }
 
 std::vector<Case> others() {
-  const FitSummary fit = fit_stripes(mastodon()), probit = fit_stripes(bliss_beetles()),
-                   apart = fit_stripes(separated());
+  const FitSummary fit = fit_stripes(mastodon(), Independent::rows),
+                   probit = fit_stripes(bliss_beetles(), Independent::rows),
+                   apart = fit_stripes(separated(), Independent::rows);
   double saturated = 0.0;  // log likelihood with each stripe's own share
-  for (const auto& [dose, n, k] : bliss_beetles())
+  for (const auto& [dose, n, k, weight, record] : bliss_beetles())
     saturated += std::lgamma(n + 1) - std::lgamma(k + 1) - std::lgamma(n - k + 1) +
                  k * std::log(k / n) + (k < n ? (n - k) * std::log1p(-k / n) : 0.0);
   const std::string separated_name = "separated: nothing to 0.6, all from 0.8, 20 each";
@@ -44,8 +46,8 @@ std::vector<Case> others() {
                    {{"median", {fit.curve.median, 0.40021328, 2e-8}},
                     {"log_std", {fit.curve.log_std, 0.23842755, 3e-8}},
                     {"log10 likelihood at (0.4, 0.1)",
-                     {stripe_log_likelihood(mastodon(), {0.4, 0.1}) / std::log(10.0), -502.18887815,
-                      1e-8, Metric::absolute}}}),
+                     {log_likelihood(mastodon(), {0.4, 0.1}) / std::log(10.0), -502.18887815, 1e-8,
+                      Metric::absolute}}}),
        compare_all(
            "ex5: Bliss (1935), beetles, probit in log10 dose", published,
            {{"intercept",

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
+#include <cstddef>
 #include <limits>
 #include <string>
 #include <vector>
@@ -20,23 +22,34 @@ struct Estimate {
   Interval interval;
 };
 
-/// One intensity level: of `trials`, `exceedances` exceeded. Counts may be fractional (weights,
-/// resampling).
+/// Of `trials` histories at an intensity, `exceedances` reach the threshold. At intensity 0 all of
+/// them do: those that slide freely. Counts may be fractional.
 struct Stripe {
-  double intensity = 0.0;  ///< > 0
-  double trials = 0.0;
-  double exceedances = 0.0;
+  double intensity = 0.0, trials = 0.0, exceedances = 0.0;
+  double weight = 1.0;
+  std::size_t record = 0;
 };
 
-/// Capacities, the lowest intensity at which each history reached the threshold. Histories that
-/// never reached it by `censored_at` are counted in `censored`, never filled in; histories that
-/// reach it without shaking (capacity 0: an array that slides freely) are counted in `free`.
-struct CapacitySample {
-  std::vector<double> capacities;  ///< > 0
-  double censored = 0.0;
-  double censored_at = std::numeric_limits<double>::infinity();
-  double free = 0.0;
+/// A capacity, the lowest intensity at which a history reaches the threshold: above `low` and not
+/// above `high`; exact where they are equal. low = 0: reached by the first level; high infinite:
+/// not reached by `low`, the highest level. Both 0: the history slides freely.
+struct Bracket {
+  double low = 0.0, high = std::numeric_limits<double>::infinity();
+  double weight = 1.0;
+  std::size_t record = 0;
 };
+
+/// What is independent: each trial of a stripe and each bracket; or the records alone, whose rows
+/// depend on each other.
+enum class Independent { rows, records };
+
+/// How many records rows belong to, which are numbered from 0.
+template <class Row>
+std::size_t record_count(const std::vector<Row>& rows) {
+  std::size_t count = 0;
+  for (const Row& row : rows) count = std::max(count, row.record + 1);
+  return count;
+}
 
 enum class FitStatus {
   failed,              ///< no fit; see note
@@ -61,13 +74,14 @@ struct FitSummary {
   FragilityCurve curve;
   Interval median_interval;  ///< 95 %, method in interval_method; an open side is 0 or infinite
   Interval log_std_interval;
-  Interval floor_interval;  ///< NaN: floor 0, or the same in all records
-  Interval p50_interval;    ///< of curve.intensity_at(0.5); median_interval where floor is 0
+  Interval floor_interval;     ///< NaN: floor 0, or the same in all records
+  Interval p50_interval;       ///< of curve.intensity_at(0.5); median_interval where floor is 0
+  std::vector<Interval> band;  ///< of the probability, at each intensity that was asked for
   double log_likelihood = std::numeric_limits<double>::quiet_NaN();  ///< without those of `floor`
   std::string method;           ///< "probit maximum likelihood on stripes", ...
   std::string interval_method;  ///< "profile likelihood", ...
   std::string note;             ///< what a reader must know; may be empty
-  double effective_records = std::numeric_limits<double>::quiet_NaN();  ///< of a weighted fit
+  double effective_records = std::numeric_limits<double>::quiet_NaN();  ///< where weights differ
   /// Of the median, for an assumed log_std.
   bool is_bound() const {
     return status == FitStatus::lower_bound || status == FitStatus::upper_bound;
@@ -78,34 +92,46 @@ struct FitSummary {
   }
 };
 
-// All functions below throw InputError for counts or capacities out of range, and never for what
-// the data show.
+// Maximum likelihood of a lognormal, sum of w l over rows with weights w (importance sampling).
+// Weights are scaled to sum to the effective number of rows, (sum w)^2 / sum w^2 (Kish 1965, Survey
+// Sampling): their unit has no effect, and a row of weight 0 plays no part. The share of histories
+// that slide freely is the curve's floor; the lognormal is that of the others.
+//
+// Intervals at 95 % are ranges over the lines that the data allow, by the likelihood (theory.md,
+// 6.3): scaled by the variance between records where rows of one depend on each other, and of as
+// many records as their weights are worth. There is none (NaN) with one record, with records that
+// are identical, and where records are separated: they do not show how much they differ. What the
+// data leave open is 0 or infinite. Both ends of `band` rise with intensity, and cross 1/2 where
+// p50_interval ends. The interval of the floor is that of a share (share.hpp); p50 and band are
+// wider than 95 % by it. Where none exceeds, or all do, each record is one trial of a bound.
+//
+// All functions throw InputError for rows out of range and weights that are negative or all 0, and
+// never for what the data show.
 
-/// ln C(n,k) + k ln Phi(z) + (n-k) ln Phi(-z) summed over stripes (Baker 2015, Earthquake Spectra
-/// 31(1), eq 11).
-double stripe_log_likelihood(const std::vector<Stripe>& stripes, const FragilityCurve& curve);
-
-/// Maximum likelihood on stripes with independent trials; 95 % intervals by profile likelihood.
-/// Separated data: Jeffreys penalised fit. No exceedance, or all exceeded: one-sided bound, trials
-/// taken as independent. Share that does not rise with intensity, or by so little that no finite
-/// median has a share of one half: no_trend. A single level: one_level. Failed: no trials.
-/// Accuracy of the maximum about 1e-12. What the data leave open is 0 or infinite.
-FitSummary fit_stripes(const std::vector<Stripe>& stripes);
+/// l = ln C(n,k) + k ln Phi(z) + (n-k) ln Phi(-z) (Baker 2015, Earthquake Spectra 31(1), eq 11).
+/// Separated stripes: Jeffreys penalised fit. Share that does not rise with intensity, or by so
+/// little that no finite median has a share of one half: no_trend. Accuracy of the maximum about
+/// 1e-12.
+FitSummary fit_stripes(const std::vector<Stripe>& rows, Independent independent,
+                       const std::vector<double>& band_intensities = {});
 
 /// The Jeffreys (Firth 1993) penalised fit, separated or not: the log likelihood plus half the log
-/// determinant of the expected information of the probit line, maximised in that line. Intervals by
-/// penalised profile likelihood (Heinze & Schemper 2002, Statistics in Medicine 21(16):2409-2419).
-FitSummary fit_stripes_jeffreys(const std::vector<Stripe>& stripes);
+/// determinant of the expected information of the probit line, maximised in that line. Intervals of
+/// independent trials by penalised profile likelihood (Heinze & Schemper 2002, Statistics in
+/// Medicine 21(16):2409-2419).
+FitSummary fit_stripes_jeffreys(const std::vector<Stripe>& rows, Independent independent);
 
-/// Sum of ln density at the capacities plus censored x ln Phi(-z) at censored_at.
-double capacity_log_likelihood(const CapacitySample& sample, const FragilityCurve& curve);
+/// l = ln[Phi(z_high) - Phi(z_low)], or the density of an exact capacity. Where all are exact,
+/// log_std has n - 1 below the line (as in FEMA P-58 and Baker 2015), and independent ones have
+/// Student's t for ln median and chi-square for log_std. All exact and equal: one_capacity, the
+/// median. Else one_level, where one intensity is in every bracket, so that log_std would be 0.
+/// Rows from 0 to infinity say nothing: they are left out, and the note counts them; no_information
+/// if no others are left.
+FitSummary fit_brackets(const std::vector<Bracket>& rows, Independent independent,
+                        const std::vector<double>& band_intensities = {});
 
-/// Lognormal maximum likelihood on capacities, right-censored at `censored_at`. Without censoring
-/// log_std has n - 1 below the line (statistics as in FEMA P-58 and Baker 2015). 95 % intervals:
-/// Student t for ln median and chi-square for log_std without censoring, else profile likelihood
-/// with Student's t (theory.md, 6.3). None reached: one-sided bound. Fewer than two different
-/// capacities without censoring: one_capacity. `free` histories are the curve's floor, their share
-/// of all, with its Clopper-Pearson interval.
-FitSummary fit_capacities(const CapacitySample& sample);
+/// The log likelihood of a curve, with all constants.
+double log_likelihood(const std::vector<Stripe>& rows, const FragilityCurve& curve);
+double log_likelihood(const std::vector<Bracket>& rows, const FragilityCurve& curve);
 
 }  // namespace glissade

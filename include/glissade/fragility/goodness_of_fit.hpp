@@ -31,12 +31,11 @@ bool departs_from_lognormal(const GoodnessOfFit& fit);
 /// capacities that are lognormal is found by parametric bootstrap with the fit made again on each
 /// replicate (Stute, González Manteiga & Presedo Quindimil 1993, Metrika 40:243-256). Records are
 /// the independent unit: in a replicate the capacities of a record have the correlation of normal
-/// scores that those of the data have. Histories of capacity 0 (`free`) are left out.
-/// `options.replicates` beyond 199 are not used. @param stratified the histories of a record are
-/// stratified samples (Sobol points), which scatter less: in a replicate a record of more than 64
-/// has 64, one in each of equal parts of probability
-GoodnessOfFit lognormal_goodness_of_fit(const std::vector<RecordCapacities>& records,
-                                        double censored_at, const BootstrapOptions& options,
-                                        bool stratified = false);
+/// scores that those of the data have. Histories that slide freely are left out.
+/// `options.replicates` beyond 199 are not used. @param rows exact, or above one highest level.
+/// @param stratified the histories of a record are stratified samples (Sobol points), which scatter
+/// less: in a replicate a record of more than 64 has 64, one in each of equal parts of probability
+GoodnessOfFit lognormal_goodness_of_fit(const std::vector<Bracket>& rows,
+                                        const BootstrapOptions& options, bool stratified = false);
 
 }  // namespace glissade

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "glissade/fragility/bootstrap.hpp"
+#include "glissade/fragility/fit.hpp"
 #include "glissade/fragility/two_part.hpp"
 
 // Is a lognormal the right shape, and what else could be. Records are the independent unit.
@@ -14,11 +14,10 @@ namespace glissade {
 
 /// What a study knows of several thresholds. Histories that slide freely are no part of it.
 struct ShapeData {
-  std::vector<double> intensities, thresholds_m;          ///< both rise
-  std::vector<std::vector<RecordStripes>> stripes;        ///< [threshold][record]
-  std::vector<std::vector<RecordCapacities>> capacities;  ///< [threshold][record]
-  double censored_at = std::numeric_limits<double>::infinity();
-  std::vector<std::vector<SlipSums>> slips;  ///< [record][level]; empty: not all are known
+  std::vector<double> intensities, thresholds_m;  ///< both rise
+  std::vector<std::vector<Stripe>> stripes;       ///< by threshold
+  std::vector<std::vector<Bracket>> capacities;   ///< by threshold: exact, or above a highest level
+  std::vector<std::vector<SlipSums>> slips;       ///< [record][level]; empty: not all are known
 };
 
 /// The probability of exceedance as a function of the intensity x.
@@ -75,9 +74,9 @@ struct FragilitySurface {
   double probability(double intensity, double displacement_m) const;
 };
 
-/// Maximum likelihood on the capacities of all thresholds, each right-censored at `censored_at`, as
-/// if they were independent; intervals from the cluster sandwich over records. Empty where fewer
-/// than two thresholds are reached or there is no maximum.
+/// Maximum likelihood on the capacities of all thresholds, each right-censored at the highest
+/// level, as if they were independent; intervals from the cluster sandwich over records. Empty
+/// where fewer than two thresholds are reached or there is no maximum.
 std::optional<FragilitySurface> fit_surface(const ShapeData& data);
 
 /// Where two lognormals have the same probability: the intensity and that probability. Beyond it

@@ -4,7 +4,8 @@
 #include <filesystem>
 #include <vector>
 
-#include "glissade/fragility/weighted_fit.hpp"
+#include "glissade/fragility/cloud.hpp"
+#include "glissade/fragility/fit.hpp"
 
 // The CSV files of `glissade fit`: a header that names the columns, in any order, then a row each.
 // All may have the columns `record` (any text; rows of one record are not independent) and `weight`
@@ -20,7 +21,7 @@ struct FitColumns {
 /// number up to it. Each im once (of each record).
 struct CountsInput {
   FitColumns has;
-  std::vector<WeightedStripe> rows;
+  std::vector<Stripe> rows;
 };
 CountsInput read_counts(const std::filesystem::path& file);
 
@@ -31,7 +32,7 @@ CountsInput read_counts(const std::filesystem::path& file);
 struct CapacitiesInput {
   FitColumns has;
   bool brackets = false;
-  std::vector<CapacityBracket> rows;  ///< low = high of im_cap
+  std::vector<Bracket> rows;  ///< low = high of im_cap
 };
 CapacitiesInput read_capacities(const std::filesystem::path& file);
 

@@ -9,7 +9,6 @@
 #include "fit/fit_output.hpp"
 #include "glissade/core/error.hpp"
 #include "glissade/core/finite.hpp"
-#include "glissade/fragility/bootstrap.hpp"
 #include "glissade/io/fit_input.hpp"
 #include "say.hpp"
 
@@ -23,64 +22,29 @@ struct FitOptions {
   bool json = false;
 };
 
-std::size_t record_count(const auto& rows) {
-  std::size_t count = 0;
-  for (const auto& row : rows) count = std::max(count, row.record + 1);
-  return count;
-}
-
 FitOutput fit_counts(const CountsInput& input) {
   if (input.has.weight && !input.has.record)
     throw InputError({"weight", "needs the column record: whose trials are not independent",
                       "name the record of each row", ""});
-  if (!input.has.record) {
-    std::vector<Stripe> stripes;
-    for (const WeightedStripe& row : input.rows) stripes.push_back(row.stripe);
-    return {fit_stripes(stripes)};
-  }
-  const FitSummary fit = fit_weighted_stripes(input.rows);
-  if (input.has.weight) return {fit};
+  if (!input.has.record) return {fit_stripes(input.rows, Independent::rows)};
+  FitOutput output{fit_stripes(input.rows, Independent::records)};
+  if (input.has.weight) return output;
   std::set<double> levels;
-  for (const WeightedStripe& row : input.rows) levels.insert(row.stripe.intensity);
-  ShapeData data{.intensities = {levels.begin(), levels.end()}, .thresholds_m = {1.0}};
-  data.stripes = {std::vector<RecordStripes>(
-      record_count(input.rows),
-      {std::vector<double>(levels.size()), std::vector<double>(levels.size())})};
-  data.capacities = {std::vector<RecordCapacities>(data.stripes[0].size())};
-  for (const WeightedStripe& row : input.rows) {
-    const auto level =
-        static_cast<std::size_t>(std::ranges::lower_bound(data.intensities, row.stripe.intensity) -
-                                 data.intensities.begin());
-    data.stripes[0][row.record].trials[level] = row.stripe.trials;
-    data.stripes[0][row.record].exceedances[level] = row.stripe.exceedances;
-  }
-  return {fit, {}, compare_shapes(data).front()};
-}
-
-/// Capacities at or above the limit were not reached by it: they count as censored there. A
-/// capacity of 0 is that of an array that slides freely.
-std::vector<RecordCapacities> by_record(const std::vector<CapacityBracket>& rows, double limit) {
-  std::vector<RecordCapacities> records(record_count(rows));
-  for (const CapacityBracket& row : rows) {
-    RecordCapacities& record = records[row.record];
-    if (row.low == 0.0) {
-      record.free += 1.0;
-    } else if (row.low < limit) {
-      record.capacities.push_back(row.low);
-    } else {
-      record.censored += 1.0;
-    }
-  }
-  return records;
+  for (const Stripe& row : input.rows) levels.insert(row.intensity);
+  output.models = compare_shapes({.intensities = {levels.begin(), levels.end()},
+                                  .thresholds_m = {1.0},
+                                  .stripes = {input.rows}})
+                      .front();
+  return output;
 }
 
 /// What was not reached says something only with the level up to which it was not.
-void refuse_unknown_limit(const std::vector<CapacityBracket>& rows) {
-  const auto is_open = [](const CapacityBracket& row) { return std::isinf(row.low); };
+void refuse_unknown_limit(const std::vector<Bracket>& rows) {
+  const auto is_open = [](const Bracket& row) { return std::isinf(row.low); };
   const auto open = std::ranges::count_if(rows, is_open);
   if (open == 0) return;
   double largest = 0.0;
-  for (const CapacityBracket& row : rows)
+  for (const Bracket& row : rows)
     if (!is_open(row)) largest = std::max(largest, row.low);
   throw InputError({"im_cap",
                     fmt::format("{} of {} capacities are inf, not reached: up to which level?",
@@ -97,13 +61,12 @@ FitOutput fit_capacities_of(CapacitiesInput input, const std::optional<double>& 
     throw InputError({"--censor-at", "is for im_cap: brackets have their own limits",
                       "give im_high = inf where im_low was not exceeded", ""});
   if (!input.brackets && !censor_at) refuse_unknown_limit(input.rows);
-  FitOutput output;
-  if (!input.brackets && input.has.record && !input.has.weight)
-    output.lognormal = lognormal_goodness_of_fit(by_record(input.rows, limit), limit, {});
-  for (CapacityBracket& row : input.rows) {
+  for (Bracket& row : input.rows)  // not reached by the limit
     if (!input.brackets && row.low >= limit) row = {limit, infinity, row.weight, row.record};
-  }
-  output.fit = fit_brackets(input.rows, !input.has.record);
+  FitOutput output{
+      fit_brackets(input.rows, input.has.record ? Independent::records : Independent::rows)};
+  if (!input.brackets && input.has.record && !input.has.weight)
+    output.lognormal = lognormal_goodness_of_fit(input.rows, {});
   return output;
 }
 

@@ -3,9 +3,9 @@
 
 #include <optional>
 
+#include "glissade/fragility/cloud.hpp"
 #include "glissade/fragility/goodness_of_fit.hpp"
 #include "glissade/fragility/shape.hpp"
-#include "glissade/fragility/weighted_fit.hpp"
 
 // What `glissade fit` prints: text, or one JSON object. A quantity that has no value is left out of
 // the text and is null in JSON; the status says why.

@@ -10,7 +10,7 @@ namespace glissade::fragility {
 Allowance::Allowance(const Records& data, const ProbitLine& maximum, bool extrapolated,
                      bool exceeding)
     : maximum_(maximum),
-      information_(data.evaluate(maximum).information),
+      information_(likelihood(data.pooled(), maximum).information),
       records_(std::max(2.0, data.worth().records)),
       per_record_(data.one_row_each() ? 1.0 : data.worth().rows_per_record()),
       counts_(data.independent_counts()) {

@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "by_record/allowance.hpp"
+#include "by_record/intervals.hpp"
 #include "by_record/records.hpp"
 #include "glissade/core/distributions.hpp"
 #include "glissade/core/finite.hpp"
@@ -13,8 +14,6 @@ namespace glissade {
 namespace {
 
 using namespace fragility;
-
-Interval exponentials(const Interval& logs) { return {std::exp(logs.low), std::exp(logs.high)}; }
 
 /// Of a fit that has a line: the intervals, as ranges over the lines that the data allow.
 class Intervals {
@@ -33,7 +32,7 @@ class Intervals {
             at(z_of_half(floors_.low)).high};
   }
   Interval probability(double intensity) const {
-    const double y = std::log(intensity) - data_.center();
+    const double y = std::log(intensity) - data_.pooled().center;
     const Interval z = region_.range([y](const ProbitLine& l) { return l[0] + l[1] * y; });
     return {floors_.low + (1 - floors_.low) * normal_cdf(z.low),
             floors_.high + (1 - floors_.high) * normal_cdf(z.high)};
@@ -43,7 +42,7 @@ class Intervals {
   static double z_of_half(double floor) { return normal_quantile((0.5 - floor) / (1 - floor)); }
   Interval at(double z) const {
     const Interval y = region_.range([z](const ProbitLine& l) { return (z - l[0]) / l[1]; });
-    return exponentials({data_.center() + y.low, data_.center() + y.high});
+    return exponentials({data_.pooled().center + y.low, data_.pooled().center + y.high});
   }
 
   const Records& data_;
@@ -56,9 +55,15 @@ void take_sample_intervals(double n, FitSummary& summary) {
   const double t = student_quantile(n - 1, 0.975), log_std = summary.curve.log_std;
   const double factor = std::exp(t * log_std / std::sqrt(n));
   summary.median_interval = {summary.curve.median / factor, summary.curve.median * factor};
-  summary.log_std_interval = {log_std * std::sqrt((n - 1) / chi_squared_quantile(n - 1, 0.975)),
-                              log_std * std::sqrt((n - 1) / chi_squared_quantile(n - 1, 0.025))};
+  summary.log_std_interval = chi_square_interval(log_std, n - 1);
   summary.interval_method = "Student t and chi-square";
+}
+
+/// Whether the median is beyond the data: 1 above, -1 below.
+int beyond_data(const Records& data, const ProbitLine& line) {
+  const Interval range = data.pooled().range();
+  const double y = log_median(line);
+  return y > range.high + 1e-9 ? 1 : y < range.low - 1e-9 ? -1 : 0;
 }
 
 /// The lines that the data allow; none where they do not show it.
@@ -75,9 +80,10 @@ std::optional<LineRegion> region_of(const Records& data, const PointFit& point,
   }
   // Of complete capacities the median and log_std are those of n - 1, the greatest likelihood not.
   const double n = data.worth().rows;
-  const ProbitLine line = data.complete() ? point.line * std::sqrt(n / (n - 1)) : point.line;
-  const bool above = data.above_data(log_median(line));
-  const Allowance allowance(data, line, above || data.below_data(log_median(line)), above);
+  const ProbitLine line =
+      data.pooled().is_exact() ? point.line * std::sqrt(n / (n - 1)) : point.line;
+  const int beyond = beyond_data(data, line);
+  const Allowance allowance(data, line, beyond != 0, beyond > 0);
   if (allowance.identical()) {
     add_sentence(summary.note, "the records are identical: no interval");
     return std::nullopt;
@@ -88,19 +94,18 @@ std::optional<LineRegion> region_of(const Records& data, const PointFit& point,
                                 : "profile likelihood, scaled by the variance between records";
   return LineRegion(
       [&data, penalised](const ProbitLine& l) {
-        return penalised ? data.evaluate_penalised(l).value : data.value(l);
+        return (penalised ? jeffreys_likelihood(data.pooled(), l) : likelihood(data.pooled(), l))
+            .value;
       },
       line, allowance.half_axes(), allowance);
 }
 
 void note_extrapolation(const Records& data, const ProbitLine& line, FitSummary& summary) {
-  const double y = log_median(line);
-  if (summary.status != FitStatus::maximum_likelihood ||
-      !(data.above_data(y) || data.below_data(y)))
-    return;
+  const int beyond = beyond_data(data, line);
+  if (summary.status != FitStatus::maximum_likelihood || beyond == 0) return;
   summary.status = FitStatus::extrapolated;
   add_sentence(summary.note, std::string("the data ") +
-                                 (data.above_data(y) ? "end below 50 %" : "begin above 50 %") +
+                                 (beyond > 0 ? "end below 50 %" : "begin above 50 %") +
                                  ": the median is an extrapolation by the lognormal");
 }
 
@@ -115,13 +120,8 @@ void take_bound(const FitSummary& bound, FitSummary& summary) {
                                                                     : Interval{0.0, p50};
 }
 
-}  // namespace
-
-namespace fragility {
-
-FitSummary summarise(const Records& data, const PointFit& point,
-                     const std::vector<double>& band_intensities, std::vector<Interval>* band) {
-  if (band != nullptr) band->assign(band_intensities.size(), Interval{});
+FitSummary summary_of(const Records& data, const PointFit& point,
+                      const std::vector<double>& band_intensities) {
   FitSummary summary;
   summary.curve.floor = data.floor();
   if (summary.curve.floor == 1) return summarise_always();
@@ -135,10 +135,10 @@ FitSummary summarise(const Records& data, const PointFit& point,
   if (summary.curve.floor > 0) add_sentence(summary.note, note_on_floor);
   summary.floor_interval = data.floor_interval();
   if (point.status == FitStatus::one_capacity)
-    summary.curve.median = to_curve(point.line, data.center()).median;
+    summary.curve.median = to_curve(point.line, data.pooled().center).median;
   if (!summary.converged()) return summary;
   const double floor = summary.curve.floor;
-  summary.curve = to_curve(point.line, data.center());
+  summary.curve = to_curve(point.line, data.pooled().center);
   summary.curve.floor = floor;
   summary.log_likelihood = data.log_likelihood(summary.curve);
   summary.method = (point.status == FitStatus::jeffreys_penalised ? "Jeffreys penalised " : "") +
@@ -150,57 +150,74 @@ FitSummary summarise(const Records& data, const PointFit& point,
   summary.median_interval = intervals.median();
   summary.log_std_interval = intervals.log_std();
   summary.p50_interval = intervals.p50();
-  if (data.complete() && data.one_row_each() && data.equal_weights()) {
+  if (data.pooled().is_exact() && data.one_row_each() && data.equal_weights()) {
     take_sample_intervals(data.worth().rows, summary);
     if (floor == 0) summary.p50_interval = summary.median_interval;
   }
-  for (std::size_t i = 0; band != nullptr && i < band_intensities.size(); ++i)
-    (*band)[i] = intervals.probability(band_intensities[i]);
+  for (const double intensity : band_intensities)
+    summary.band.push_back(intervals.probability(intensity));
   return summary;
 }
 
-}  // namespace fragility
-
-FitSummary fit_stripes(const std::vector<Stripe>& stripes) {
-  const StripeRecords data(stripes);
-  return summarise(data, data.fit());
-}
-
-FitSummary fit_stripes_jeffreys(const std::vector<Stripe>& stripes) {
-  const StripeRecords data(stripes);
-  return summarise(data, data.fit_jeffreys());
-}
-
-FitSummary fit_capacities(const CapacitySample& sample) {
-  const BracketRecords data(sample);
-  return summarise(data, data.fit());
-}
-
-FitSummary fit_stripes_by_record(const std::vector<double>& intensities,
-                                 const std::vector<RecordStripes>& records,
-                                 const std::vector<double>& band_intensities,
-                                 std::vector<Interval>* band) {
-  const StripeRecords data(intensities, records);
-  return summarise(data, data.fit(), band_intensities, band);
-}
-
-FitSummary fit_capacities_by_record(const std::vector<RecordCapacities>& records,
-                                    double censored_at, const std::vector<double>& band_intensities,
-                                    std::vector<Interval>* band) {
-  const BracketRecords data(records, censored_at);
-  return summarise(data, data.fit(), band_intensities, band);
-}
-
-FitSummary fit_weighted_stripes(const std::vector<WeightedStripe>& rows) {
-  const StripeRecords data(rows);
-  return summarise(data, data.fit());
-}
-
-FitSummary fit_brackets(const std::vector<CapacityBracket>& rows, bool independent) {
-  const BracketRecords data(rows, independent);
-  FitSummary summary = summarise(data, data.fit());
+/// The one writer of summaries.
+FitSummary summarise(const Records& data, PointFit (Records::*fit)() const,
+                     const std::vector<double>& band_intensities = {}) {
+  FitSummary summary = summary_of(data, (data.*fit)(), band_intensities);
   add_sentence(summary.note, data.note());
+  summary.band.resize(band_intensities.size());
   return summary;
+}
+
+}  // namespace
+
+FitSummary fit_stripes(const std::vector<Stripe>& rows, Independent independent,
+                       const std::vector<double>& band_intensities) {
+  return summarise(Records(rows, independent), &Records::fit, band_intensities);
+}
+
+FitSummary fit_stripes_jeffreys(const std::vector<Stripe>& rows, Independent independent) {
+  return summarise(Records(rows, independent), &Records::fit_jeffreys);
+}
+
+FitSummary fit_brackets(const std::vector<Bracket>& rows, Independent independent,
+                        const std::vector<double>& band_intensities) {
+  return summarise(Records(rows, independent), &Records::fit, band_intensities);
+}
+
+double log_likelihood(const std::vector<Stripe>& rows, const FragilityCurve& curve) {
+  return Records(rows, Independent::rows).log_likelihood(curve);
+}
+
+double log_likelihood(const std::vector<Bracket>& rows, const FragilityCurve& curve) {
+  return Records(rows, Independent::rows).log_likelihood(curve);
+}
+
+std::string to_string(FitStatus status) {
+  switch (status) {
+    case FitStatus::failed:
+      break;
+    case FitStatus::maximum_likelihood:
+      return "maximum likelihood";
+    case FitStatus::extrapolated:
+      return "extrapolated beyond the data";
+    case FitStatus::jeffreys_penalised:
+      return "Jeffreys penalised";
+    case FitStatus::lower_bound:
+      return "lower bound";
+    case FitStatus::upper_bound:
+      return "upper bound";
+    case FitStatus::no_trend:
+      return "no rise with intensity";
+    case FitStatus::always_exceeds:
+      return "exceeds at any intensity";
+    case FitStatus::one_level:
+      return "one level";
+    case FitStatus::one_capacity:
+      return "one capacity";
+    case FitStatus::no_information:
+      return "no information";
+  }
+  return "failed";
 }
 
 }  // namespace glissade

@@ -2,15 +2,12 @@
 #include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
 #include <functional>
-#include <map>
 
-#include "by_record/clusters.hpp"
-#include "by_record/sandwich.hpp"
+#include "by_record/check.hpp"
+#include "by_record/intervals.hpp"
 #include "cloud/cloud_variance.hpp"
 #include "glissade/core/distributions.hpp"
-#include "glissade/core/normal.hpp"
-#include "glissade/fragility/weighted_fit.hpp"
-#include "lognormal/point_fit.hpp"
+#include "lognormal/likelihood.hpp"
 #include "lognormal/line_region.hpp"
 
 namespace glissade {
@@ -49,8 +46,6 @@ Interval interval_of(const Quantity& quantity, const TwoPartFit& fit, const Clou
   return t_interval(quantity(fit), std::sqrt(std::max(0.0, variance)), errors.freedom + 1);
 }
 
-Interval exponentials(const Interval& logs) { return {std::exp(logs.low), std::exp(logs.high)}; }
-
 /// ln of the intensity at which half exceed.
 double log_p50(const TwoPartFit& fit, double threshold) {
   const auto excess = [&](double y) { return fit.probability(std::exp(y), threshold) - 0.5; };
@@ -83,14 +78,17 @@ void check(const std::vector<CloudPoint>& points, const std::vector<double>& thr
           {"threshold", std::to_string(threshold) + " is not a finite number above 0", "", ""});
   }
   problems.throw_if_any();
+  check_weights(points);
 }
 
 /// With weights that sum to as many as they are worth, so that log_std is over n - 2.
-std::vector<CloudPoint> scaled(std::vector<CloudPoint> points, const std::vector<double>& weights) {
-  const Eigen::Map<const Eigen::VectorXd> w(weights.data(),
-                                            static_cast<Eigen::Index>(weights.size()));
-  const double scale = effective_number(w) / w.sum();
-  for (CloudPoint& point : points) point.weight *= scale;
+std::vector<CloudPoint> scaled(std::vector<CloudPoint> points) {
+  double sum = 0, squares = 0;
+  for (const CloudPoint& point : points) {
+    sum += point.weight;
+    squares += point.weight * point.weight;
+  }
+  for (CloudPoint& point : points) point.weight *= sum / squares;
   return points;
 }
 
@@ -106,33 +104,28 @@ std::vector<SlipSums> sums_of(const std::vector<CloudPoint>& points) {
 
 /// Of any slip, by the profile likelihood: the rows count for less where records share their errors
 /// (`effect`), and Student's t takes the place of the normal distribution.
-LineRegion any_region(const StripeData& data, const TwoPartFit& fit, double effect,
+LineRegion any_region(const LogRows& counts, const TwoPartFit& fit, double effect,
                       const CloudVariance& errors) {
-  const ProbitLine line = to_line(fit.any, data.center);
+  const ProbitLine line = to_line(fit.any, counts.center);
   const double t = student_quantile(std::max(1.0, errors.any_freedom), 0.975);
   const double allowed = t * t * std::max(1.0, effect);
-  const Eigen::Matrix2d covariance = stripe_likelihood(data, line).information.inverse();
-  return {[&data](const ProbitLine& other) { return stripe_log_likelihood(data, other); }, line,
+  const Eigen::Matrix2d covariance = likelihood(counts, line).information.inverse();
+  return {[&counts](const ProbitLine& other) { return likelihood(counts, other).value; }, line,
           covariance.llt().matrixL(), [allowed](const ProbitLine&) { return allowed; }};
 }
 
-StripeData any_stripes(const std::vector<CloudPoint>& points) {
-  std::map<double, Stripe> at;
+LogRows any_counts(const std::vector<CloudPoint>& points) {
+  std::vector<double> intensities;
+  for (const CloudPoint& point : points) intensities.push_back(point.intensity);
+  LogRows counts;
+  counts.center = mean_log(intensities);
   for (const CloudPoint& point : points) {
     if (point.weight == 0) continue;
-    Stripe& stripe = at[point.intensity];
-    stripe.intensity = point.intensity;
-    stripe.trials += point.weight;
-    if (point.displacement > 0) stripe.exceedances += point.weight;
+    const bool slips = point.displacement > 0;
+    counts.add_counts(std::log(point.intensity) - counts.center, slips ? point.weight : 0.0,
+                      slips ? 0.0 : point.weight);
   }
-  std::vector<Stripe> stripes;
-  for (const auto& [intensity, stripe] : at) stripes.push_back(stripe);
-  return to_data(stripes);
-}
-
-Interval chi_square_interval(double log_std, double freedom) {
-  return {log_std * std::sqrt(freedom / chi_squared_quantile(freedom, 0.975)),
-          log_std * std::sqrt(freedom / chi_squared_quantile(freedom, 0.025))};
+  return counts;
 }
 
 }  // namespace
@@ -143,19 +136,13 @@ CloudSummary fit_cloud(const std::vector<CloudPoint>& points,
   CloudSummary summary;
   for (const double threshold : thresholds) summary.medians.push_back({.threshold = threshold});
   if (points.empty()) return summary;
-  std::vector<std::size_t> records;
-  std::vector<double> weights;
-  for (const CloudPoint& point : points) {
-    records.push_back(point.record);
-    weights.push_back(point.weight);
-  }
-  const Clusters clusters(records, weights);
-  summary.fit = fit_two_part(sums_of(scaled(points, weights)));
-  summary.effective_records = clusters.effective();
+  const std::vector<CloudPoint> rows = scaled(points);
+  summary.fit = fit_two_part(sums_of(rows));
+  summary.effective_records = effective_number(record_weights(rows));
   if (!summary.fit.has_curve()) return summary;
   for (CloudMedian& row : summary.medians) row.p50 = std::exp(log_p50(summary.fit, row.threshold));
-  if (clusters.count() < 2) return summary;
-  const CloudVariance errors = cloud_variance(scaled(points, weights), clusters, summary.fit);
+  if (record_weights(rows).size() < 2) return summary;
+  const CloudVariance errors = cloud_variance(rows, summary.fit);
   const auto interval = [&](const Quantity& quantity) {
     return interval_of(quantity, summary.fit, errors);
   };
@@ -163,12 +150,13 @@ CloudSummary fit_cloud(const std::vector<CloudPoint>& points,
   summary.slope_interval = interval([](const TwoPartFit& f) { return f.slope; });
   summary.log_std_interval = chi_square_interval(summary.fit.log_std, errors.log_std_freedom);
   if (summary.fit.any_status == FitStatus::maximum_likelihood) {
-    const StripeData data = any_stripes(scaled(points, weights));
+    const LogRows counts = any_counts(rows);
     const Interval y =
-        any_region(data, summary.fit, errors.median_design_effect, errors).range(log_median);
-    summary.any_median_interval = exponentials({data.center + y.low, data.center + y.high});
+        any_region(counts, summary.fit, errors.median_design_effect, errors).range(log_median);
+    summary.any_median_interval = exponentials({counts.center + y.low, counts.center + y.high});
     summary.any_log_std_interval =
-        any_region(data, summary.fit, errors.log_std_design_effect, errors).range(fragility::log_std);
+        any_region(counts, summary.fit, errors.log_std_design_effect, errors)
+            .range(fragility::log_std);
   }
   // Separated records do not show how much they differ: neither part of such a median has one.
   if (summary.fit.any_status == FitStatus::jeffreys_penalised) return summary;

@@ -2,8 +2,9 @@
 #include "cloud/cloud_variance.hpp"
 
 #include <cmath>
+#include <map>
 
-#include "by_record/sandwich.hpp"
+#include "by_record/intervals.hpp"
 #include "glissade/core/distributions.hpp"
 #include "glissade/core/finite.hpp"
 #include "glissade/core/jackknife.hpp"
@@ -39,12 +40,12 @@ struct RecordPart {
 
 class CloudRecords {
  public:
-  CloudRecords(const std::vector<CloudPoint>& points, const Clusters& clusters,
-               const TwoPartFit& fit)
-      : fit_(fit), p_(parameters_of(fit)), parts_(static_cast<std::size_t>(clusters.count())) {
-    for (std::size_t i = 0; i < points.size(); ++i) {
-      if (clusters.has(i)) add(points[i], parts_[static_cast<std::size_t>(clusters.of(i))]);
-    }
+  CloudRecords(const std::vector<CloudPoint>& points, const TwoPartFit& fit)
+      : fit_(fit), p_(parameters_of(fit)) {
+    std::map<std::size_t, RecordPart> parts;
+    for (const CloudPoint& point : points)
+      if (point.weight > 0) add(point, parts[point.record]);
+    for (const auto& [record, part] : parts) parts_.push_back(part);
     for (const RecordPart& part : parts_) {
       any_ += part.any.information;
       size_ += part.size.information;
@@ -153,9 +154,18 @@ CloudParameters parameters_of(const TwoPartFit& fit) {
   return p;
 }
 
-CloudVariance cloud_variance(const std::vector<CloudPoint>& points, const Clusters& clusters,
-                             const TwoPartFit& fit) {
-  return CloudRecords(points, clusters, fit).variance(clusters.effective());
+CloudVariance cloud_variance(const std::vector<CloudPoint>& points, const TwoPartFit& fit) {
+  return CloudRecords(points, fit).variance(effective_number(record_weights(points)));
+}
+
+Eigen::VectorXd record_weights(const std::vector<CloudPoint>& points) {
+  std::map<std::size_t, double> weights;
+  for (const CloudPoint& point : points)
+    if (point.weight > 0) weights[point.record] += point.weight;
+  Eigen::VectorXd found(std::ssize(weights));
+  Eigen::Index i = 0;
+  for (const auto& [record, weight] : weights) found[i++] = weight;
+  return found;
 }
 
 }  // namespace glissade::fragility

@@ -4,8 +4,7 @@
 #include <Eigen/Dense>
 #include <vector>
 
-#include "by_record/clusters.hpp"
-#include "glissade/fragility/weighted_fit.hpp"
+#include "glissade/fragility/cloud.hpp"
 
 namespace glissade::fragility {
 
@@ -21,14 +20,16 @@ struct CloudVariance {
   Eigen::Matrix<double, 5, 5> covariance;
   double freedom;          ///< records that slip less 2, by their weights; at least 1
   double log_std_freedom;  ///< of the chi-square distribution of log_std^2
-  double any_freedom;      ///< records less 2
+  double any_freedom;      ///< records less 2, by their weights; at least 1
   /// Variance between records over that of independent rows, of ln median and ln log_std of any
   /// slip.
   double median_design_effect = 1.0, log_std_design_effect = 1.0;
 };
 
 /// @param points with weights that sum to as many as they are worth
-CloudVariance cloud_variance(const std::vector<CloudPoint>& points, const Clusters& clusters,
-                             const TwoPartFit& fit);
+CloudVariance cloud_variance(const std::vector<CloudPoint>& points, const TwoPartFit& fit);
+
+/// The weights of the records that have any.
+Eigen::VectorXd record_weights(const std::vector<CloudPoint>& points);
 
 }  // namespace glissade::fragility

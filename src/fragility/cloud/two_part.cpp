@@ -13,13 +13,16 @@ namespace {
 using namespace fragility;
 
 void fit_any(const std::vector<SlipSums>& rows, TwoPartFit& fit) {
-  std::vector<Stripe> stripes;
-  for (const SlipSums& row : rows) stripes.push_back({row.intensity, row.trials, row.moved});
-  const StripeData data = to_data(stripes);
-  const PointFit line = fit_point(data, first_guess(data));
+  std::vector<double> intensities;
+  for (const SlipSums& row : rows) intensities.push_back(row.intensity);
+  LogRows counts;
+  counts.center = mean_log(intensities);
+  for (const SlipSums& row : rows)
+    counts.add_counts(std::log(row.intensity) - counts.center, row.moved, row.trials - row.moved);
+  const PointFit line = fit_counts(counts);
   fit.any_status = line.status;
   if (line.status == FitStatus::maximum_likelihood || line.status == FitStatus::jeffreys_penalised)
-    fit.any = to_curve(line.line, data.center);
+    fit.any = to_curve(line.line, counts.center);
 }
 
 /// About the means, which leaves no digits to cancellation.

@@ -6,7 +6,6 @@
 #include <numbers>
 
 #include "glissade/core/finite.hpp"
-#include "lognormal/newton_maximum.hpp"
 
 namespace glissade::fragility {
 namespace {
@@ -34,6 +33,33 @@ LogShares::Part log_complementary(double z, double w) {
   return {std::log(-std::expm1(-w)), hazard, std::max(0.0, hazard * (w / -std::expm1(-w) - 1))};
 }
 
+Evaluation of_exact(const ExactRows& rows, const ProbitLine& line) {
+  const double b0 = line[0], b1 = line[1];
+  const double n = rows.count, s = rows.sum, ss = rows.sum_squares;
+  Evaluation of;
+  of.value = n * std::log(b1) - 0.5 * (n * b0 * b0 + 2 * b0 * b1 * s + b1 * b1 * ss);
+  of.gradient = {-(n * b0 + b1 * s), n / b1 - (b0 * s + b1 * ss)};
+  of.information << n, s, s, ss + n / (b1 * b1);
+  return of;
+}
+
+/// Of a bracket of y with two ends.
+Evaluation of_bracket(double y_low, double y_high, const ProbitLine& line) {
+  const Eigen::Vector2d at_low{1, y_low}, at_high{1, y_high};
+  const double low = line.dot(at_low), high = line.dot(at_high);
+  Evaluation of;
+  of.value = log_normal_between(low, high);
+  const auto density_over = [&](double z) {
+    return std::exp(-0.5 * z * z - 0.5 * std::log(2 * std::numbers::pi) - of.value);
+  };
+  const double d_low = density_over(low), d_high = density_over(high);
+  of.gradient = d_high * at_high - d_low * at_low;
+  of.information = d_high * high * at_high * at_high.transpose() -
+                   d_low * low * at_low * at_low.transpose() +
+                   of.gradient * of.gradient.transpose();
+  return of;
+}
+
 }  // namespace
 
 LogShares log_shares(Link link, double z) {
@@ -55,59 +81,53 @@ FragilityCurve to_curve(const ProbitLine& line, double center) {
 
 double hazard(double z) { return log_phi(z).hazard; }
 
-std::optional<ProbitLine> maximise(const Objective& objective, const ProbitLine& start) {
-  return newton_maximum(objective, start);
-}
-
-double stripe_log_likelihood(const StripeData& data, const ProbitLine& line) {
-  double sum = 0;
-  for (Eigen::Index j = 0; j < data.y.size(); ++j) {
-    const double k = data.exceedances[j], rest = data.trials[j] - k;
-    const double z = line.dot(Eigen::Vector2d{1, data.y[j]});
-    if (k > 0) sum += k * log_normal_cdf(z);
-    if (rest > 0) sum += rest * log_normal_cdf(-z);
-  }
-  return sum;
-}
-
-Evaluation stripe_likelihood(const StripeData& data, const ProbitLine& line, Link link) {
+Evaluation likelihood(const LogRows& rows, const ProbitLine& line, Link link) {
   Evaluation sum;
-  for (Eigen::Index j = 0; j < data.y.size(); ++j) {
-    const double k = data.exceedances[j], rest = data.trials[j] - k;
-    const Eigen::Vector2d x{1, data.y[j]};
-    const double z = line.dot(x);
-    const auto [above, below] = log_shares(link, z);
-    if (k > 0) sum.value += k * above.value;
-    if (rest > 0) sum.value += rest * below.value;
-    sum.gradient += (k * above.hazard - rest * below.hazard) * x;
-    sum.information += (k * above.curvature + rest * below.curvature) * x * x.transpose();
+  if (!rows.has_only_cuts() && !(line[1] > 0)) {
+    sum.value = -infinity;
+    return sum;
+  }
+  if (rows.exact.count > 0) sum = of_exact(rows.exact, line);
+  for (const auto& [y, cut] : rows.cuts) {
+    const Eigen::Vector2d x{1, y};
+    const auto [above, below] = log_shares(link, line.dot(x));
+    if (cut.exceeding > 0) sum.value += cut.exceeding * above.value;
+    if (cut.held > 0) sum.value += cut.held * below.value;
+    sum.gradient += (cut.exceeding * above.hazard - cut.held * below.hazard) * x;
+    sum.information +=
+        (cut.exceeding * above.curvature + cut.held * below.curvature) * x * x.transpose();
+  }
+  for (const auto& [ends, weight] : rows.between) {
+    const Evaluation one = of_bracket(ends.first, ends.second, line);
+    sum.value += weight * one.value;
+    sum.gradient += weight * one.gradient;
+    sum.information += weight * one.information;
   }
   return sum;
 }
 
-Evaluation stripe_jeffreys(const StripeData& data, const ProbitLine& line) {
+Evaluation jeffreys_likelihood(const LogRows& rows, const ProbitLine& line) {
   // Expected information per trial w = phi^2 / (Phi (1 - Phi)); d ln w / dz = -2 z - phi/Phi +
   // phi/(1 - Phi).
-  Evaluation sum;
-  for (Eigen::Index j = 0; j < data.y.size(); ++j) {
-    const Eigen::Vector2d x{1, data.y[j]};
-    const double z = line.dot(x);
-    sum.information += data.trials[j] * log_phi(z).hazard * log_phi(-z).hazard * x * x.transpose();
+  Evaluation sum = likelihood(rows, line);
+  const auto information_at = [&](double z) { return hazard(z) * hazard(-z); };
+  sum.information.setZero();
+  for (const auto& [y, cut] : rows.cuts) {
+    const Eigen::Vector2d x{1, y};
+    sum.information += cut.trials() * information_at(line.dot(x)) * x * x.transpose();
   }
   const double determinant = sum.information.determinant();
-  if (!(determinant > 0)) return {-infinity, sum.gradient, sum.information};
+  if (!(determinant > 0)) {
+    sum.value = -infinity;
+    return sum;
+  }
   const Eigen::Matrix2d covariance = sum.information.inverse();
-  sum.value = 0.5 * std::log(determinant);
-  for (Eigen::Index j = 0; j < data.y.size(); ++j) {
-    const double k = data.exceedances[j], rest = data.trials[j] - k;
-    const Eigen::Vector2d x{1, data.y[j]};
+  sum.value += 0.5 * std::log(determinant);
+  for (const auto& [y, cut] : rows.cuts) {
+    const Eigen::Vector2d x{1, y};
     const double z = line.dot(x);
-    const LogPhi above = log_phi(z), below = log_phi(-z);
-    if (k > 0) sum.value += k * above.value;
-    if (rest > 0) sum.value += rest * below.value;
-    const double leverage = data.trials[j] * above.hazard * below.hazard * x.dot(covariance * x);
-    const double penalty = 0.5 * leverage * (-2 * z - above.hazard + below.hazard);
-    sum.gradient += (k * above.hazard - rest * below.hazard + penalty) * x;
+    const double leverage = cut.trials() * information_at(z) * x.dot(covariance * x);
+    sum.gradient += 0.5 * leverage * (-2 * z - hazard(z) + hazard(-z)) * x;
   }
   return sum;
 }
@@ -117,54 +137,33 @@ namespace {
 /// The likelihood is concave: its slope at the best line without one has the sign of b1 at the
 /// maximum. There every level has the pooled share, and the slope is phi / (Phi (1 - Phi)) times
 /// the sum below.
-bool rises(const StripeData& data) {
-  const double share = data.exceedances.sum() / data.trials.sum();
-  const double slope = ((data.exceedances - share * data.trials) * data.y).sum();
-  const double rounding = 1e-12 * (data.trials * data.y.abs()).sum();
-  return slope > rounding;
+bool rises(const std::map<double, CutWeight>& cuts) {
+  double exceeding = 0, trials = 0, slope = 0, size = 0;
+  for (const auto& [y, cut] : cuts) {
+    exceeding += cut.exceeding;
+    trials += cut.trials();
+    size += cut.trials() * std::abs(y);
+  }
+  for (const auto& [y, cut] : cuts)
+    slope += (cut.exceeding - exceeding / trials * cut.trials()) * y;
+  return slope > 1e-12 * size;  // but for rounding
 }
 
 }  // namespace
 
-StripeShape shape_of(const StripeData& data) {
-  double first_exceeded = infinity, last_exceeded = -infinity, first_held = infinity,
-         last_held = -infinity;
-  for (Eigen::Index j = 0; j < data.y.size(); ++j) {
-    if (data.exceedances[j] > 0) {
-      first_exceeded = std::min(first_exceeded, data.y[j]);
-      last_exceeded = std::max(last_exceeded, data.y[j]);
-    }
-    if (data.exceedances[j] < data.trials[j]) {
-      first_held = std::min(first_held, data.y[j]);
-      last_held = std::max(last_held, data.y[j]);
-    }
-  }
-  if (first_exceeded == infinity && first_held == infinity) return StripeShape::empty;
-  if (first_exceeded == infinity) return StripeShape::none_exceeded;
-  if (first_held == infinity) return StripeShape::all_exceeded;
-  if (std::min(first_exceeded, first_held) == std::max(last_exceeded, last_held))
-    return StripeShape::single_level;
-  if (first_exceeded >= last_held) return StripeShape::separated;
-  return rises(data) ? StripeShape::overlapping : StripeShape::not_rising;
-}
-
-Evaluation capacity_likelihood(const CapacityData& data, const ProbitLine& line) {
-  // Each capacity: ln phi(z) + ln b1. Each censored history: ln Phi(-z) at the censoring intensity.
-  const double b0 = line[0], b1 = line[1];
-  Evaluation sum;
-  if (!(b1 > 0)) return {-infinity, sum.gradient, sum.information};
-  const double n = data.count, s = data.sum, ss = data.sum_squares;
-  sum.value = n * std::log(b1) - 0.5 * (n * b0 * b0 + 2 * b0 * b1 * s + b1 * b1 * ss);
-  sum.gradient = {-(n * b0 + b1 * s), n / b1 - (b0 * s + b1 * ss)};
-  sum.information << n, s, s, ss + n / (b1 * b1);
-  if (data.censored > 0) {
-    const Eigen::Vector2d x{1, data.censored_at};
-    const LogPhi below = log_phi(-line.dot(x));
-    sum.value += data.censored * below.value;
-    sum.gradient -= data.censored * below.hazard * x;
-    sum.information += data.censored * below.curvature * x * x.transpose();
-  }
-  return sum;
+RowsShape shape_of(const LogRows& rows) {
+  const double held = rows.highest_low(), exceeded = rows.lowest_high();
+  if (std::isinf(held) && std::isinf(exceeded)) return RowsShape::empty;
+  if (std::isinf(exceeded)) return RowsShape::none_exceeded;
+  if (std::isinf(held)) return RowsShape::all_exceeded;
+  if (rows.is_exact()) return RowsShape::exact;
+  if (!rows.has_only_cuts())
+    return held <= exceeded ? RowsShape::separated : RowsShape::overlapping;
+  const auto levels =
+      std::ranges::count_if(rows.cuts, [](const auto& at) { return at.second.trials() > 0; });
+  if (levels == 1) return RowsShape::single_level;
+  if (held <= exceeded) return RowsShape::separated;
+  return rises(rows.cuts) ? RowsShape::overlapping : RowsShape::not_rising;
 }
 
 }  // namespace glissade::fragility

@@ -2,14 +2,11 @@
 #pragma once
 
 #include <Eigen/Dense>
-#include <functional>
-#include <optional>
 
-#include "glissade/fragility/fit.hpp"
+#include "lognormal/log_rows.hpp"
 
 // The likelihoods in probit form, z = b0 + b1 y with y = ln x - center, in which they are concave;
-// so b0 = (center - ln median) / log_std and b1 = 1 / log_std. The center only conditions the
-// numbers.
+// so b0 = (center - ln median) / log_std and b1 = 1 / log_std.
 namespace glissade::fragility {
 
 using ProbitLine = Eigen::Vector2d;  ///< (b0, b1)
@@ -23,10 +20,6 @@ struct Evaluation {
   Eigen::Vector2d gradient = Eigen::Vector2d::Zero();
   Eigen::Matrix2d information = Eigen::Matrix2d::Zero();
 };
-using Objective = std::function<Evaluation(const ProbitLine&)>;
-
-/// Newton's method with step halving. Empty if the objective has no maximum at a finite line.
-std::optional<ProbitLine> maximise(const Objective& objective, const ProbitLine& start);
 
 double hazard(double z);  ///< phi(z) / Phi(z), the derivative of ln Phi
 
@@ -43,25 +36,22 @@ struct LogShares {
 };
 LogShares log_shares(Link link, double z);
 
-/// Binomial stripes. `exceedances` and `trials` are per level, beside `y`.
-struct StripeData {
-  Eigen::ArrayXd y, trials, exceedances;
-  double center = 0.0;
-};
+/// Log likelihood of rows, up to a constant of theirs: k ln Phi(z) + (n - k) ln Phi(-z) of counts,
+/// ln(b1) - z^2/2 of a capacity that is known exactly, ln[Phi(z_high) - Phi(z_low)] of a bracket
+/// (concave: Burridge 1981, J. Royal Statistical Society B 43(1):41-45). Observed information. Of a
+/// link other than the probit counts alone.
+Evaluation likelihood(const LogRows& rows, const ProbitLine& line, Link link = Link::probit);
 
-/// Log likelihood without ln C(n, k), of the probit.
-double stripe_log_likelihood(const StripeData& data, const ProbitLine& line);
-/// The same; observed information.
-Evaluation stripe_likelihood(const StripeData& data, const ProbitLine& line,
-                             Link link = Link::probit);
-/// ... plus half the log determinant of the expected information, which is the information given
-/// (Firth 1993, Biometrika 80(1):27-38).
-Evaluation stripe_jeffreys(const StripeData& data, const ProbitLine& line);
+/// That of counts, plus half the log determinant of the expected information, which is the
+/// information given (Firth 1993, Biometrika 80(1):27-38).
+Evaluation jeffreys_likelihood(const LogRows& rows, const ProbitLine& line);
 
-/// What stripes allow (Silvapulle 1981, JRSS B 43(3):310-313: a maximum exists if and only if they
-/// overlap). Not rising: the slope of the probit line would not be above 0.
-enum class StripeShape {
+/// What rows allow (Silvapulle 1981, JRSS B 43(3):310-313: a maximum exists if and only if they
+/// overlap). Separated: one intensity is in every bracket. Not rising: the slope of the probit line
+/// of counts would not be above 0.
+enum class RowsShape {
   overlapping,
+  exact,
   separated,
   none_exceeded,
   all_exceeded,
@@ -69,17 +59,6 @@ enum class StripeShape {
   single_level,
   empty
 };
-StripeShape shape_of(const StripeData& data);
-
-/// Lognormal capacities with right-censoring, by their sufficient statistics: count, sum and sum of
-/// squares of y.
-struct CapacityData {
-  double count = 0.0, sum = 0.0, sum_squares = 0.0;
-  double censored = 0.0, censored_at = 0.0;  ///< the latter as y
-  double center = 0.0;
-};
-/// Log likelihood without the constants of the data -sum(ln x) - count/2 ln(2 pi); observed
-/// information.
-Evaluation capacity_likelihood(const CapacityData& data, const ProbitLine& line);
+RowsShape shape_of(const LogRows& rows);
 
 }  // namespace glissade::fragility

@@ -2,9 +2,7 @@
 #pragma once
 
 #include <string>
-#include <vector>
 
-#include "glissade/fragility/fit.hpp"
 #include "lognormal/likelihood.hpp"
 
 namespace glissade::fragility {
@@ -20,24 +18,18 @@ struct PointFit {
   }
 };
 
-/// Maximum likelihood, or what the data allow instead. `start` is any line of positive slope.
-PointFit fit_point(const StripeData& data, const ProbitLine& start);
-PointFit fit_point_jeffreys(const StripeData& data, const ProbitLine& start);
-PointFit fit_point(const CapacityData& data, const ProbitLine& start);
+/// Maximum likelihood, of exact capacities with n - 1; or what the rows allow instead.
+PointFit fit_point(const LogRows& rows, const ProbitLine& start);
+/// The same of the penalised likelihood.
+PointFit fit_jeffreys(const LogRows& counts);
+/// Maximum likelihood; penalised where the counts are separated.
+PointFit fit_counts(const LogRows& counts);
 
-ProbitLine first_guess(const StripeData& data);
-ProbitLine first_guess(const CapacityData& data);
+/// A line of positive slope to start from.
+ProbitLine first_guess(const LogRows& rows);
 
-/// Throw InputError listing every entry that breaks its rule; `where` names the data.
-void check(const std::vector<Stripe>& stripes, const std::string& where);
-void check(const CapacitySample& sample, const std::string& where);
-
-StripeData to_data(const std::vector<Stripe>& stripes);
-CapacityData to_data(const CapacitySample& sample, double center);
-double mean_log(const std::vector<double>& values);  ///< 0 if there are none
-
-/// The summary of stripes none or all of whose trials exceeded (all of one kind).
-FitSummary summarise_bound(const StripeData& data);
+/// The summary where none of the trials exceeded, or all of them did.
+FitSummary summarise_bound(const LogRows& trials);
 inline constexpr auto note_on_floor =
     "a share (the floor) exceeds without any shaking; median and log_std are those of the rest";
 void add_sentence(std::string& note, const std::string& sentence);

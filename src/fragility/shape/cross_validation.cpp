@@ -3,49 +3,47 @@
 #include <cmath>
 #include <functional>
 
+#include "glissade/core/error.hpp"
 #include "glissade/core/finite.hpp"
+#include "lognormal/newton_maximum.hpp"
 #include "lognormal/point_fit.hpp"
 #include "shape/shape.hpp"
 
 namespace glissade {
 namespace fragility {
 
-Eigen::ArrayXd monotone_shares(const Eigen::ArrayXd& exceedances, const Eigen::ArrayXd& trials) {
+std::vector<double> monotone_shares(const std::map<double, CutWeight>& levels) {
   struct Pool {
-    double exceedances, trials;
-    Eigen::Index levels;
-    double share() const { return exceedances / trials; }
+    CutWeight cut;
+    std::size_t levels = 1;
+    double share() const { return cut.exceeding / cut.trials(); }
   };
   std::vector<Pool> pools;
-  for (Eigen::Index j = 0; j < trials.size(); ++j) {
-    pools.push_back({exceedances[j], trials[j], 1});
+  for (const auto& [y, cut] : levels) {
+    pools.push_back({cut});
     while (pools.size() > 1 && pools.back().share() <= pools[pools.size() - 2].share()) {
       const Pool last = pools.back();
       pools.pop_back();
-      pools.back().exceedances += last.exceedances;
-      pools.back().trials += last.trials;
+      pools.back().cut.exceeding += last.cut.exceeding;
+      pools.back().cut.held += last.cut.held;
       pools.back().levels += last.levels;
     }
   }
-  Eigen::ArrayXd shares(trials.size());
-  Eigen::Index j = 0;
-  for (const Pool& pool : pools) {
-    shares.segment(j, pool.levels) = pool.share();
-    j += pool.levels;
-  }
+  std::vector<double> shares;
+  for (const Pool& pool : pools) shares.insert(shares.end(), pool.levels, pool.share());
   return shares;
 }
 
 namespace {
 
 /// Probability of exceedance by level; empty: not fitted.
-using Shares = Eigen::ArrayXd;
+using Shares = std::vector<double>;
 
 /// Models of all thresholds at once, fitted without one record.
 class JointModels {
  public:
   explicit JointModels(const ShapeData& data) : data_(data), surface_data_(data) {
-    const std::size_t records = data.stripes.front().size();
+    const std::size_t records = record_count(data.stripes.front());
     for (std::size_t i = 0; i <= records; ++i) {
       const std::size_t without = i < records ? i : none;
       two_part_.push_back(data.slips.empty() ? TwoPartFit{} : fit_two_part(slips(without)));
@@ -82,9 +80,8 @@ class JointModels {
     return sums;
   }
   Shares by_level(const std::function<double(double)>& probability) const {
-    Shares shares(static_cast<Eigen::Index>(data_.intensities.size()));
-    for (Eigen::Index j = 0; j < shares.size(); ++j)
-      shares[j] = probability(data_.intensities[static_cast<std::size_t>(j)]);
+    Shares shares;
+    for (const double intensity : data_.intensities) shares.push_back(probability(intensity));
     return shares;
   }
 
@@ -94,77 +91,81 @@ class JointModels {
   std::vector<std::optional<FragilitySurface>> surface_;  // so
 };
 
-/// The stripes of one threshold, by record and level.
+/// The counts of one threshold, by record. All have all levels, with 0 trials where they lack one.
 struct Threshold {
-  Eigen::ArrayXXd exceedances, trials;
-  StripeData all;
+  std::vector<LogRows> records;
+  LogRows all;
 
-  Threshold(const std::vector<double>& intensities, const std::vector<RecordStripes>& records) {
-    const auto rows = static_cast<Eigen::Index>(records.size()),
-               columns = static_cast<Eigen::Index>(intensities.size());
-    exceedances.resize(rows, columns);
-    trials.resize(rows, columns);
-    std::vector<Stripe> stripes;
-    for (Eigen::Index j = 0; j < columns; ++j) {
-      const auto level = static_cast<std::size_t>(j);
-      for (Eigen::Index i = 0; i < rows; ++i) {
-        exceedances(i, j) = records[static_cast<std::size_t>(i)].exceedances[level];
-        trials(i, j) = records[static_cast<std::size_t>(i)].trials[level];
-      }
-      stripes.push_back({intensities[level], trials.col(j).sum(), exceedances.col(j).sum()});
+  Threshold(const std::vector<double>& intensities, const std::vector<Stripe>& rows)
+      : records(record_count(rows)) {
+    all.center = mean_log(intensities);
+    for (const double intensity : intensities)
+      all.add_counts(std::log(intensity) - all.center, 0.0, 0.0);
+    std::ranges::fill(records, all);
+    for (const Stripe& row : rows) {
+      if (row.intensity == 0) continue;
+      for (LogRows* sums : {&records[row.record], &all})
+        sums->add_counts(std::log(row.intensity) - all.center, row.exceedances,
+                         row.trials - row.exceedances);
     }
-    all = to_data(stripes);
   }
-  StripeData without(std::size_t record) const {
-    StripeData data = all;
-    if (record == none) return data;
-    data.exceedances -= exceedances.row(static_cast<Eigen::Index>(record)).transpose();
-    data.trials -= trials.row(static_cast<Eigen::Index>(record)).transpose();
-    return data;
+  LogRows without(std::size_t record) const {
+    LogRows rest = all;
+    if (record == none) return rest;
+    for (const auto& [y, cut] : records[record].cuts) rest.add_counts(y, -cut.exceeding, -cut.held);
+    return rest;
   }
 };
 
 /// Nothing that was not seen in n records is impossible.
-Shares predicting(const Shares& shares, double records) {
-  return (records * shares + 0.5) / (records + 1);
+Shares predicting(Shares shares, double records) {
+  for (double& share : shares) share = (records * share + 0.5) / (records + 1);
+  return shares;
 }
 
-Shares line_shares(const StripeData& data, Link link) {
-  const auto line = maximise(
-      [&](const ProbitLine& at) { return stripe_likelihood(data, at, link); }, first_guess(data));
-  if (!line) return {};
-  return ((*line)[0] + (*line)[1] * data.y).unaryExpr([&](double z) { return share_at(link, z); });
+Shares line_shares(const LogRows& counts, Link link) {
+  const auto line = newton_maximum(
+      [&](const ProbitLine& at) { return likelihood(counts, at, link); }, first_guess(counts));
+  Shares shares;
+  for (const auto& [y, cut] : counts.cuts)
+    if (line) shares.push_back(share_at(link, (*line)[0] + (*line)[1] * y));
+  return shares;
 }
 
 /// By ShapeModel.
 std::vector<Shares> fitted(const Threshold& of, const JointModels& joint, std::size_t threshold,
                            std::size_t without) {
-  const StripeData data = of.without(without);
-  return {line_shares(data, Link::probit),
-          line_shares(data, Link::logit),
-          line_shares(data, Link::complementary_log_log),
+  const LogRows counts = of.without(without);
+  return {line_shares(counts, Link::probit),
+          line_shares(counts, Link::logit),
+          line_shares(counts, Link::complementary_log_log),
           joint.two_part(threshold, without),
-          monotone_shares(data.exceedances, data.trials),
+          monotone_shares(counts.cuts),
           joint.surface(threshold, without)};
 }
 
 /// ln of the probability of what a record shows, mean over its histories and levels. What has no
 /// probability in doubles has the least that they hold.
-double score_of(const Threshold& of, Eigen::Index record, const Shares& shares) {
+double score_of(const LogRows& record, const Shares& shares) {
   constexpr double least = 1e-300;
-  const Eigen::ArrayXd k = of.exceedances.row(record).transpose(),
-                       n = of.trials.row(record).transpose();
-  return (k * shares.max(least).log() + (n - k) * (1 - shares).max(least).log()).sum() / n.sum();
+  double sum = 0, trials = 0;
+  auto share = shares.begin();
+  for (const auto& [y, cut] : record.cuts) {
+    sum += cut.exceeding * std::log(std::max(*share, least)) +
+           cut.held * std::log(std::max(1 - *share, least));
+    trials += cut.trials();
+    ++share;
+  }
+  return sum / trials;
 }
 
 ComparisonStatus status_of(const Threshold& of) {
-  if (of.all.trials.sum() == 0) return ComparisonStatus::always_exceeds;
-  const auto records = static_cast<std::size_t>(of.trials.rows());
-  if (records < 3) return ComparisonStatus::few_records;
-  for (std::size_t i = 0; i < records; ++i) {
-    const StripeShape shape = shape_of(of.without(i));
-    if (shape == StripeShape::not_rising) return ComparisonStatus::no_rise;
-    if (shape != StripeShape::overlapping) return ComparisonStatus::no_overlap;
+  if (shape_of(of.all) == RowsShape::empty) return ComparisonStatus::always_exceeds;
+  if (of.records.size() < 3) return ComparisonStatus::few_records;
+  for (std::size_t i = 0; i < of.records.size(); ++i) {
+    const RowsShape shape = shape_of(of.without(i));
+    if (shape == RowsShape::not_rising) return ComparisonStatus::no_rise;
+    if (shape != RowsShape::overlapping) return ComparisonStatus::no_overlap;
   }
   return ComparisonStatus::compared;
 }
@@ -181,25 +182,37 @@ void add_differences(const Eigen::ArrayXXd& scores, std::vector<ModelScore>& mod
   }
 }
 
+/// Counts are a table of records by intensities, however few of its places have any.
+void check_table(std::size_t records, std::size_t intensities) {
+  constexpr std::size_t most = 10'000'000;
+  if (records <= most / std::max<std::size_t>(1, intensities)) return;
+  throw InputError({"counts",
+                    std::to_string(records) + " records at " + std::to_string(intensities) +
+                        " intensities are more than ten million places",
+                    "give the counts at the levels of the analysis, which the records share, or "
+                    "each history as a row of --capacities or --cloud",
+                    ""});
+}
+
 ShapeComparison compare(const Threshold& of, const JointModels& joint, std::size_t threshold) {
   ShapeComparison comparison{status_of(of), {}};
   if (comparison.status != ComparisonStatus::compared) return comparison;
-  const Eigen::Index records = of.trials.rows();
-  Eigen::ArrayXXd scores(records, static_cast<Eigen::Index>(shape_model_count));
-  for (Eigen::Index i = 0; i < records; ++i) {
-    std::vector<Shares> models = fitted(of, joint, threshold, static_cast<std::size_t>(i));
+  const std::size_t records = of.records.size();
+  Eigen::ArrayXXd scores(records, shape_model_count);
+  for (std::size_t i = 0; i < records; ++i) {
+    std::vector<Shares> models = fitted(of, joint, threshold, i);
     Shares& monotone = models[static_cast<std::size_t>(ShapeModel::monotone)];
-    monotone = predicting(monotone, static_cast<double>(records - 1));
+    monotone = predicting(std::move(monotone), static_cast<double>(records - 1));
     for (std::size_t m = 0; m < shape_model_count; ++m)
-      scores(i, static_cast<Eigen::Index>(m)) =
-          models[m].size() == 0 ? nan : score_of(of, i, models[m]);
+      scores(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(m)) =
+          models[m].empty() ? nan : score_of(of.records[i], models[m]);
   }
-  const std::vector<Shares> models = fitted(of, joint, threshold, none);
+  std::vector<Shares> models = fitted(of, joint, threshold, none);
   for (std::size_t m = 0; m < shape_model_count; ++m) {
     ModelScore& model = comparison.models.emplace_back();
     model.model = static_cast<ShapeModel>(m);
-    model.probability.assign(models[m].begin(), models[m].end());
-    model.probability.resize(static_cast<std::size_t>(of.all.y.size()), nan);
+    model.probability = std::move(models[m]);
+    model.probability.resize(of.all.cuts.size(), nan);
   }
   add_differences(scores, comparison.models);
   return comparison;
@@ -226,6 +239,8 @@ std::string to_string(ComparisonStatus status) {
 
 std::vector<ShapeComparison> compare_shapes(const ShapeData& data) {
   using namespace fragility;
+  for (const std::vector<Stripe>& rows : data.stripes)
+    check_table(record_count(rows), data.intensities.size());
   std::vector<ShapeComparison> comparisons;
   if (data.thresholds_m.empty()) return comparisons;
   const JointModels joint(data);

@@ -6,7 +6,9 @@
 #include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
 #include <cstdint>
+#include <map>
 
+#include "glissade/core/contract.hpp"
 #include "glissade/core/normal.hpp"
 #include "glissade/core/random.hpp"
 #include "lognormal/point_fit.hpp"
@@ -22,14 +24,11 @@ struct PooledCapacities {
   double censored = 0.0, censored_at = std::numeric_limits<double>::infinity();  // as y
 
   double count() const { return static_cast<double>(y.size()) + censored; }
-  CapacityData data() const {
-    CapacityData data{.count = static_cast<double>(y.size()), .censored = censored};
-    if (censored > 0) data.censored_at = censored_at;
-    for (const double value : y) {
-      data.sum += value;
-      data.sum_squares += value * value;
-    }
-    return data;
+  LogRows rows() const {
+    LogRows rows;
+    for (const double value : y) rows.add_bracket(value, value, 1.0);
+    if (censored > 0) rows.add_counts(censored_at, 0.0, censored);
+    return rows;
   }
 };
 
@@ -155,7 +154,7 @@ double p_value(const NullModel& null, double distance, int replicates) {
   double fitted = 0, as_far = 0;
   for (int r = 0; r < replicates; ++r) {
     const PooledCapacities sample = null.draw(static_cast<std::uint64_t>(r));
-    const PointFit fit = fit_point(sample.data(), {0, 1});
+    const PointFit fit = fit_point(sample.rows(), {0, 1});
     if (fit.status != FitStatus::maximum_likelihood) continue;
     ++fitted;
     if (distance_of(sample, fit.line) >= distance) ++as_far;
@@ -183,28 +182,36 @@ bool departs_from_lognormal(const GoodnessOfFit& fit) {
   return fit.p_value < goodness_of_fit_level && std::abs(fit.largest_gap) >= goodness_of_fit_gap;
 }
 
-GoodnessOfFit lognormal_goodness_of_fit(const std::vector<RecordCapacities>& records,
-                                        double censored_at, const BootstrapOptions& options,
-                                        bool stratified) {
-  GoodnessOfFit result;
-  std::vector<double> all;
-  for (const RecordCapacities& record : records)
-    all.insert(all.end(), record.capacities.begin(), record.capacities.end());
-  const double center = mean_log(all);
+GoodnessOfFit lognormal_goodness_of_fit(const std::vector<Bracket>& rows,
+                                        const BootstrapOptions& options, bool stratified) {
+  std::vector<double> exact;
+  for (const Bracket& row : rows)
+    if (row.low > 0 && row.low == row.high) exact.push_back(row.low);
+  const double center = mean_log(exact);
   PooledCapacities pooled;
-  std::vector<RecordSample> samples;
-  for (const RecordCapacities& record : records) {
-    RecordSample sample{{}, static_cast<double>(record.capacities.size()) + record.censored};
-    if (sample.count == 0) continue;
-    for (const double capacity : record.capacities) sample.y.push_back(std::log(capacity) - center);
-    std::ranges::sort(sample.y);
-    pooled.y.insert(pooled.y.end(), sample.y.begin(), sample.y.end());
-    pooled.censored += record.censored;
-    samples.push_back(std::move(sample));
+  std::map<std::size_t, RecordSample> by_record;
+  for (const Bracket& row : rows) {
+    if (row.high == 0) continue;
+    RecordSample& record = by_record[row.record];
+    ++record.count;
+    const double y = std::log(row.low) - center;
+    if (row.low == row.high) {
+      record.y.push_back(y);
+      pooled.y.push_back(y);
+    } else {
+      GLISSADE_EXPECTS(std::isinf(row.high) && (pooled.censored == 0 || y == pooled.censored_at));
+      pooled.censored_at = y;
+      ++pooled.censored;
+    }
   }
-  if (pooled.censored > 0) pooled.censored_at = std::log(censored_at) - center;
   std::ranges::sort(pooled.y);
-  const CapacityData data = pooled.data();
+  std::vector<RecordSample> samples;
+  for (auto& [name, record] : by_record) {
+    std::ranges::sort(record.y);
+    samples.push_back(std::move(record));
+  }
+  GoodnessOfFit result;
+  const LogRows data = pooled.rows();
   const PointFit fit = fit_point(data, first_guess(data));
   if (samples.size() < 3 || fit.status != FitStatus::maximum_likelihood) return result;
   result.distance = distance_of(pooled, fit.line);

@@ -3,6 +3,7 @@
 
 #include <Eigen/Dense>
 #include <limits>
+#include <map>
 #include <optional>
 #include <vector>
 
@@ -14,7 +15,7 @@ namespace glissade::fragility {
 /// Left out: no record.
 inline constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
 
-/// Capacities by threshold and record, reduced to sufficient statistics once.
+/// Capacities by threshold and record, summed once.
 class SurfaceData {
  public:
   explicit SurfaceData(const ShapeData& data);
@@ -26,10 +27,10 @@ class SurfaceData {
                      FragilitySurface& surface) const;
 
   std::vector<double> thresholds_m_;
-  std::vector<std::vector<CapacityData>> by_threshold_;  // [threshold][record]
+  std::vector<std::vector<LogRows>> by_threshold_;  // [threshold][record]
 };
 
 /// Non-decreasing shares with the greatest likelihood of k of n (pooled adjacent violators).
-Eigen::ArrayXd monotone_shares(const Eigen::ArrayXd& exceedances, const Eigen::ArrayXd& trials);
+std::vector<double> monotone_shares(const std::map<double, CutWeight>& levels);
 
 }  // namespace glissade::fragility

@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "by_record/sandwich.hpp"
+#include "by_record/intervals.hpp"
 #include "glissade/core/contract.hpp"
 #include "glissade/core/normal.hpp"
 #include "lognormal/newton_maximum.hpp"
@@ -35,57 +35,48 @@ struct SurfaceEvaluation {
   }
 };
 
-SurfaceEvaluation evaluate(const std::vector<CapacityData>& data, const Eigen::VectorXd& point) {
+SurfaceEvaluation evaluate(const std::vector<LogRows>& data, const Eigen::VectorXd& point) {
   const auto thresholds = static_cast<Eigen::Index>(data.size());
   SurfaceEvaluation sum(thresholds);
   for (Eigen::Index t = 0; t < thresholds; ++t)
-    sum.add(t,
-            capacity_likelihood(data[static_cast<std::size_t>(t)], {point[t], point[thresholds]}));
+    sum.add(t, likelihood(data[static_cast<std::size_t>(t)], {point[t], point[thresholds]}));
   return sum;
 }
 
-CapacityData sum_of(const std::vector<CapacityData>& records, std::size_t without) {
-  CapacityData sum{.censored_at = records.front().censored_at, .center = records.front().center};
-  for (std::size_t i = 0; i < records.size(); ++i) {
-    if (i == without) continue;
-    sum.count += records[i].count;
-    sum.sum += records[i].sum;
-    sum.sum_squares += records[i].sum_squares;
-    sum.censored += records[i].censored;
-  }
+LogRows sum_of(const std::vector<LogRows>& records, std::size_t without) {
+  LogRows sum;
+  for (std::size_t i = 0; i < records.size(); ++i)
+    if (i != without) sum += records[i];
   return sum;
 }
 
 }  // namespace
 
 SurfaceData::SurfaceData(const ShapeData& data) {
-  for (std::size_t t = 0; t < data.thresholds_m.size(); ++t) {
-    std::vector<CapacityData>& records = by_threshold_.emplace_back();
-    for (const RecordCapacities& record : data.capacities[t]) {
-      records.push_back(to_data({record.capacities, record.censored, data.censored_at}, 0.0));
-      records.back().censored_at = std::log(data.censored_at);
-    }
-    if (sum_of(records, none).count == 0) {
-      by_threshold_.pop_back();
-    } else {
-      thresholds_m_.push_back(data.thresholds_m[t]);
-    }
+  for (std::size_t t = 0; t < data.capacities.size(); ++t) {
+    std::vector<LogRows> records(record_count(data.capacities[t]));
+    for (const Bracket& row : data.capacities[t])
+      if (row.high > 0)
+        records[row.record].add_bracket(std::log(row.low), std::log(row.high), row.weight);
+    if (sum_of(records, none).exact.count == 0) continue;
+    by_threshold_.push_back(std::move(records));
+    thresholds_m_.push_back(data.thresholds_m[t]);
   }
 }
 
 std::optional<FragilitySurface> SurfaceData::fit(std::size_t without) const {
   if (by_threshold_.size() < 2) return std::nullopt;
   const auto last = static_cast<Eigen::Index>(by_threshold_.size());
-  std::vector<CapacityData> pooled;
+  std::vector<LogRows> pooled;
   Eigen::VectorXd start(last + 1);
   double steepness = std::numeric_limits<double>::infinity();
-  for (const std::vector<CapacityData>& records : by_threshold_) {
+  for (const std::vector<LogRows>& records : by_threshold_) {
     pooled.push_back(sum_of(records, without));
-    if (pooled.back().count == 0) return std::nullopt;
+    if (pooled.back().exact.count == 0) return std::nullopt;
     steepness = std::min(steepness, first_guess(pooled.back())[1]);
   }
   for (Eigen::Index t = 0; t < last; ++t) {
-    const CapacityData& of = pooled[static_cast<std::size_t>(t)];
+    const ExactRows& of = pooled[static_cast<std::size_t>(t)].exact;
     start[t] = -steepness * of.sum / of.count;
   }
   start[last] = steepness;
@@ -107,16 +98,15 @@ void SurfaceData::add_intervals(const Eigen::VectorXd& point, const Eigen::Matri
   if (records < 2) return;
   Eigen::MatrixXd scores(records, point.size());
   for (Eigen::Index i = 0; i < records; ++i) {
-    std::vector<CapacityData> record;
-    for (const std::vector<CapacityData>& of : by_threshold_)
+    std::vector<LogRows> record;
+    for (const std::vector<LogRows>& of : by_threshold_)
       record.push_back(of[static_cast<std::size_t>(i)]);
     scores.row(i) = evaluate(record, point).gradient.transpose();
   }
   const Eigen::MatrixXd covariance = cluster_sandwich(scores, information);
   const double slope = point[last], n = static_cast<double>(records);
   const auto in_x = [&](double value, double variance) {
-    const Interval log = t_interval(value, std::sqrt(std::max(0.0, variance)), n);
-    return Interval{std::exp(log.low), std::exp(log.high)};
+    return exponentials(t_interval(value, std::sqrt(std::max(0.0, variance)), n));
   };
   for (Eigen::Index t = 0; t < last; ++t) {
     const Eigen::Vector2d gradient{-1 / slope, point[t] / (slope * slope)};

@@ -8,6 +8,7 @@
 
 #include "analysis/pooled_level.hpp"
 #include "analysis/shape/threshold_data.hpp"
+#include "glissade/core/finite.hpp"
 #include "glissade/core/in_parallel.hpp"
 #include "glissade/fragility/share.hpp"
 #include "glissade/motion/improbable.hpp"
@@ -33,45 +34,31 @@ bool recrosses(const HistoryTable& histories, std::size_t record, std::size_t c,
 }
 
 /// What follows from the capacities of records that are run at all levels.
-void fit_capacities_of(const Results& results, const RunResults& run, std::size_t threshold,
-                       const BootstrapOptions& options, SamplingMethod method,
-                       ThresholdFragility& fragility) {
-  const std::vector<double>& levels = results.levels;
+void fit_capacities(const Results& results, const RunResults& run, std::size_t threshold,
+                    const BootstrapOptions& options, SamplingMethod method,
+                    ThresholdFragility& fragility) {
   const HistoryTable& table = results.histories;
-  const ThresholdData data = threshold_data(results, slice_of(run), threshold);
-  double reached = 0.0, recrossed = 0.0, censored = 0.0, free = 0.0;
+  const std::vector<Bracket> rows = capacities_of(results, slice_of(run), threshold);
+  double recrossed = 0.0;
   for (std::size_t record = 0; record < table.records; ++record) {
     double record_recrossed = 0.0;
     for (std::size_t i = run.first_case; i < run.first_case + run.cases; ++i) {
-      if (!std::isinf(table.capacity(record, i, threshold))) ++reached;
-      if (recrosses(table, record, i, fragility.threshold_m)) {
-        ++recrossed;
-        record_recrossed = 1.0;
-      }
+      if (!recrosses(table, record, i, fragility.threshold_m)) continue;
+      ++recrossed;
+      record_recrossed = 1.0;
     }
-    censored += data.capacities[record].censored;
-    free += data.capacities[record].free;
     fragility.record_recross.push_back(record_recrossed);
   }
-  const double histories = static_cast<double>(table.records * run.cases);
+  const auto number = [&](double Bracket::*end, double value) {
+    return static_cast<double>(std::ranges::count(rows, value, end));
+  };
+  const double histories = static_cast<double>(rows.size()),
+               censored = number(&Bracket::high, infinity), reached = histories - censored;
   fragility.recross_share = reached > 0.0 ? recrossed / reached : 0.0;
   fragility.censored_share = censored / histories;
-  fragility.free_sliding_share = free / histories;
-  fragility.stripes = fit_stripes_by_record(levels, data.stripes);
-  fragility.capacities = fit_capacities_by_record(data.capacities, levels.back(),
-                                                  run.band_intensities, &fragility.band);
-  fragility.lognormal = lognormal_goodness_of_fit(data.capacities, levels.back(), options,
-                                                  method == SamplingMethod::sobol);
-}
-
-void fit_multiple_stripes(const Results& results, const RunResults& run,
-                          ThresholdFragility& fragility) {
-  fragility.on_stripes = true;
-  const std::vector<RecordStripes> data =
-      multiple_stripes(results, slice_of(run), fragility.threshold_m);
-  fragility.free_sliding_share = data.front().free / static_cast<double>(run.cases);
-  fragility.stripes =
-      fit_stripes_by_record(results.levels, data, run.band_intensities, &fragility.band);
+  fragility.free_sliding_share = number(&Bracket::high, 0.0) / histories;
+  fragility.capacities = fit_brackets(rows, Independent::records, run.band_intensities);
+  fragility.lognormal = lognormal_goodness_of_fit(rows, options, method == SamplingMethod::sobol);
 }
 
 ThresholdFragility fit_threshold(const Results& results, const RunResults& run,
@@ -80,10 +67,15 @@ ThresholdFragility fit_threshold(const Results& results, const RunResults& run,
   const HistoryTable& table = results.histories;
   ThresholdFragility fragility;
   fragility.threshold_m = results.thresholds_m[threshold];
+  fragility.on_stripes = results.by_stripes;
+  const std::vector<Stripe> stripes = stripes_of(results, slice_of(run), threshold);
+  fragility.stripes =
+      fit_stripes(stripes, Independent::records,
+                  results.by_stripes ? run.band_intensities : std::vector<double>());
   if (results.by_stripes)
-    fit_multiple_stripes(results, run, fragility);
+    fragility.free_sliding_share = stripes.front().trials / static_cast<double>(run.cases);
   else
-    fit_capacities_of(results, run, threshold, options, method, fragility);
+    fit_capacities(results, run, threshold, options, method, fragility);
   for (std::size_t level = 0; level < results.levels.size(); ++level) {
     std::vector<double> shares;  // of all histories, by record
     double exceeding = 0.0;

@@ -6,13 +6,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "glissade/core/finite.hpp"
 #include "glissade/core/normal.hpp"
 #include "glissade/core/random.hpp"
 
 namespace glissade {
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr int goodness_samples = 16;
 
 /// ln capacity = a(record) + e(record, sample); above `limit` censored.
@@ -20,31 +20,26 @@ struct Spread {
   double between = 0.35, within = 0.20;
   int samples = goodness_samples;
 };
-std::vector<RecordCapacities> lognormal_records(int records, std::uint64_t seed,
-                                                double limit = infinity, Spread spread = {}) {
-  std::vector<RecordCapacities> result(records);
-  for (int i = 0; i < records; ++i) {
+std::vector<Bracket> lognormal_records(std::size_t records, std::uint64_t seed,
+                                       double limit = infinity, Spread spread = {}) {
+  std::vector<Bracket> rows;
+  for (std::size_t i = 0; i < records; ++i) {
     const double a = spread.between * keyed_normal(seed, RandomPurpose::test, i, 0);
     for (int s = 1; s <= spread.samples; ++s) {
-      const double capacity =
-          std::exp(a + spread.within * keyed_normal(seed, RandomPurpose::test, i, s));
-      if (capacity < limit) {
-        result[i].capacities.push_back(capacity);
-      } else {
-        ++result[i].censored;
-      }
+      const double c = std::exp(a + spread.within * keyed_normal(seed, RandomPurpose::test, i, s));
+      rows.push_back({std::min(c, limit), c < limit ? c : infinity, 1.0, i});
     }
   }
-  return result;
+  return rows;
 }
 
-double rejected_share(int records, double limit, Spread spread = {}) {
+double rejected_share(std::size_t records, double limit, Spread spread = {}) {
   constexpr int studies = 200;
   int rejected = 0;
   for (int study = 0; study < studies; ++study) {
     const std::uint64_t seed = 1000u + static_cast<std::uint64_t>(study);
-    const GoodnessOfFit fit = lognormal_goodness_of_fit(
-        lognormal_records(records, seed, limit, spread), limit, {.seed = seed});
+    const GoodnessOfFit fit =
+        lognormal_goodness_of_fit(lognormal_records(records, seed, limit, spread), {.seed = seed});
     if (fit.p_value < goodness_of_fit_level) ++rejected;
   }
   return rejected / static_cast<double>(studies);
@@ -69,10 +64,8 @@ TEST(goodness_of_fit, refuses_as_often_with_100_independent_samples_of_each_reco
 TEST(goodness_of_fit, is_the_distance_of_cramer_and_von_mises) {
   // For a complete sample: 1 / (12 n^2) + mean of (u_i - (2 i - 1) / (2 n))^2.
   std::vector<double> y;
-  const std::vector<RecordCapacities> records = lognormal_records(5, 3);
-  for (const RecordCapacities& record : records) {
-    for (const double capacity : record.capacities) y.push_back(std::log(capacity));
-  }
+  const std::vector<Bracket> rows = lognormal_records(5, 3);
+  for (const Bracket& row : rows) y.push_back(std::log(row.low));
   std::ranges::sort(y);
   const double n = static_cast<double>(y.size());
   double mean = 0, squares = 0, sum = 1 / (12 * n * n);
@@ -82,25 +75,25 @@ TEST(goodness_of_fit, is_the_distance_of_cramer_and_von_mises) {
     const double u = normal_cdf((y[i] - mean) / std::sqrt(squares));
     sum += std::pow(u - (2.0 * static_cast<double>(i) + 1.0) / (2 * n), 2) / n;
   }
-  EXPECT_NEAR(lognormal_goodness_of_fit(records, infinity, {}).distance, sum, 1e-14);
+  EXPECT_NEAR(lognormal_goodness_of_fit(rows, {}).distance, sum, 1e-14);
 }
 
 TEST(goodness_of_fit, finds_the_correlation_within_records) {
   // 0.35^2 / (0.35^2 + 0.20^2) = 0.754, whose estimate has a deviation of 0.02 with 400 records.
-  EXPECT_NEAR(lognormal_goodness_of_fit(lognormal_records(400, 5), infinity, {}).correlation, 0.754,
-              0.06);
-  EXPECT_NEAR(lognormal_goodness_of_fit(lognormal_records(400, 5, 1.0), 1.0, {}).correlation, 0.754,
+  EXPECT_NEAR(lognormal_goodness_of_fit(lognormal_records(400, 5), {}).correlation, 0.754, 0.06);
+  EXPECT_NEAR(lognormal_goodness_of_fit(lognormal_records(400, 5, 1.0), {}).correlation, 0.754,
               0.08);
 }
 
 // Half of the samples need little shaking in every record, as where some arrays begin to slide at
 // once.
 TEST(goodness_of_fit, refuses_two_kinds_of_capacities) {
-  std::vector<RecordCapacities> records = lognormal_records(20, 7);
-  for (RecordCapacities& record : records) {
-    for (int s = 0; s < goodness_samples / 2; ++s) record.capacities[s] *= 0.1;
+  std::vector<Bracket> rows = lognormal_records(20, 7);
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const double factor = i % goodness_samples < goodness_samples / 2 ? 0.1 : 1.0;
+    rows[i].low = rows[i].high = factor * rows[i].low;
   }
-  const GoodnessOfFit fit = lognormal_goodness_of_fit(records, infinity, {});
+  const GoodnessOfFit fit = lognormal_goodness_of_fit(rows, {});
   EXPECT_EQ(fit.p_value, least_p_value);
   // Between the two kinds the share is 0.5, of 0.5 + 0.5 at most.
   EXPECT_GT(std::abs(fit.largest_gap), 0.1);
@@ -108,10 +101,11 @@ TEST(goodness_of_fit, refuses_two_kinds_of_capacities) {
 }
 
 TEST(goodness_of_fit, has_no_test_of_two_records_or_without_a_fit) {
-  EXPECT_TRUE(std::isnan(lognormal_goodness_of_fit(lognormal_records(2, 1), infinity, {}).p_value));
-  const std::vector<RecordCapacities> none(5, {{}, 4.0, 0.0});
-  EXPECT_TRUE(std::isnan(lognormal_goodness_of_fit(none, 2.0, {}).p_value));
-  EXPECT_TRUE(std::isnan(lognormal_goodness_of_fit({}, 2.0, {}).p_value));
+  EXPECT_TRUE(std::isnan(lognormal_goodness_of_fit(lognormal_records(2, 1), {}).p_value));
+  std::vector<Bracket> none;
+  for (std::size_t i = 0; i < 20; ++i) none.push_back({2.0, infinity, 1.0, i / 4});
+  EXPECT_TRUE(std::isnan(lognormal_goodness_of_fit(none, {}).p_value));
+  EXPECT_TRUE(std::isnan(lognormal_goodness_of_fit({}, {}).p_value));
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "glissade/core/finite.hpp"
 #include "glissade/core/normal.hpp"
 #include "glissade/core/random.hpp"
 #include "worked_examples.hpp"
@@ -22,15 +23,12 @@ const ModelScore& of(const ShapeComparison& comparison, ShapeModel model) {
 
 /// Counts shared equally by three records.
 ShapeData three_records(const std::vector<Stripe>& stripes) {
-  RecordStripes third;
-  ShapeData data{.thresholds_m = {0.1}};
+  ShapeData data{.thresholds_m = {0.1}, .stripes = {{}}};
   for (const Stripe& s : stripes) {
     data.intensities.push_back(s.intensity);
-    third.trials.push_back(s.trials / 3);
-    third.exceedances.push_back(s.exceedances / 3);
+    for (std::size_t record = 0; record < 3; ++record)
+      data.stripes[0].push_back({s.intensity, s.trials / 3, s.exceedances / 3, 1.0, record});
   }
-  data.stripes = {{third, third, third}};
-  data.capacities = {{{}, {}, {}}};
   return data;
 }
 
@@ -70,31 +68,34 @@ TEST(compare_shapes, pools_adjacent_violators) {
 
 /// Records whose displacements are ln D = 2 ln x + a(record) + 0.4 e where the shaking is above a
 /// capacity of sliding of median 1 and log_std 0.1, else 0.
-ShapeData slides_above(int records, double capacity_median) {
-  constexpr int samples = 40;
+ShapeData slides_above(std::size_t records, double capacity_median) {
+  constexpr std::uint32_t samples = 40;
   ShapeData data{.thresholds_m = {0.02, 1.2}};
   for (int j = 0; j < 10; ++j) data.intensities.push_back(0.4 * std::pow(1.25, j));
-  data.censored_at = data.intensities.back();
-  data.stripes.assign(2, std::vector<RecordStripes>(records));
-  data.capacities.assign(2, std::vector<RecordCapacities>(records));
+  const double highest = data.intensities.back();
+  data.stripes.resize(2);
+  data.capacities.resize(2);
   data.slips.resize(records);
-  for (int i = 0; i < records; ++i) {
-    const auto normal = [&](int k) { return keyed_normal(9, RandomPurpose::test, i, k); };
-    for (auto& of_threshold : data.stripes)
-      of_threshold[i] = {std::vector<double>(10), std::vector<double>(10, samples)};
-    for (const double x : data.intensities) data.slips[i].push_back({.intensity = x});
-    for (int s = 0; s < samples; ++s) {
+  for (std::size_t i = 0; i < records; ++i) {
+    const auto normal = [&](std::uint32_t k) { return keyed_normal(9, RandomPurpose::test, i, k); };
+    for (const double x : data.intensities) {
+      data.slips[i].push_back({.intensity = x});
+      for (auto& stripes : data.stripes) stripes.push_back({x, samples, 0.0, 1.0, i});
+    }
+    for (std::uint32_t s = 0; s < samples; ++s) {
       const double begins = capacity_median * std::exp(0.1 * normal(1 + 2 * s));
       const double size = std::exp(0.2 * normal(0) + 0.4 * normal(2 + 2 * s));
       for (std::size_t j = 0; j < 10; ++j) {
         const double x = data.intensities[j], d = x > begins ? size * x * x : 0.0;
         data.slips[i][j].add(d);
         for (std::size_t t = 0; t < 2; ++t)
-          data.stripes[t][i].exceedances[j] += d > data.thresholds_m[t] ? 1 : 0;
+          data.stripes[t][10 * i + j].exceedances += d > data.thresholds_m[t] ? 1 : 0;
       }
-      for (std::size_t t = 0; t < 2; ++t)
-        data.capacities[t][i].capacities.push_back(
-            std::min(data.censored_at, std::max(begins, std::sqrt(data.thresholds_m[t] / size))));
+      for (std::size_t t = 0; t < 2; ++t) {
+        const double c =
+            std::min(highest, std::max(begins, std::sqrt(data.thresholds_m[t] / size)));
+        data.capacities[t].push_back({c, c, 1.0, i});
+      }
     }
   }
   return data;
@@ -125,29 +126,23 @@ TEST(compare_shapes, names_what_it_cannot_compare) {
   EXPECT_EQ(compare_shapes(three_records({{1, 0, 0}, {2, 0, 0}})).at(0).status,
             ComparisonStatus::always_exceeds);
   ShapeData two = three_records(worked_examples::bliss_beetles());
-  two.stripes[0].pop_back();
-  two.capacities[0].pop_back();
+  std::erase_if(two.stripes[0], [](const Stripe& row) { return row.record == 2; });
   EXPECT_EQ(compare_shapes(two).at(0).status, ComparisonStatus::few_records);
   EXPECT_TRUE(compare_shapes(two).at(0).models.empty());
 }
 
 /// Capacities of three thresholds, of medians 0.5, 1 and 1.4 and log_std 0.4, half of it by record.
-ShapeData capacities_of(int records) {
-  ShapeData data{.intensities = {1.0}, .thresholds_m = {0.1, 0.2, 0.4}, .censored_at = 1.5};
+ShapeData capacities_of(std::size_t records) {
+  ShapeData data{.intensities = {1.0}, .thresholds_m = {0.1, 0.2, 0.4}};
   const std::vector<double> medians = {0.5, 1.0, 1.4};
-  data.capacities.assign(3, std::vector<RecordCapacities>(records));
-  for (int i = 0; i < records; ++i) {
-    for (int s = 1; s <= 20; ++s) {
+  data.capacities.resize(3);
+  for (std::size_t i = 0; i < records; ++i) {
+    for (std::uint32_t s = 1; s <= 20; ++s) {
       const double e = std::sqrt(0.5) * (keyed_normal(4, RandomPurpose::test, i, 0) +
                                          keyed_normal(4, RandomPurpose::test, i, s));
       for (std::size_t t = 0; t < 3; ++t) {
-        const double capacity = medians[t] * std::exp(0.4 * e);
-        RecordCapacities& record = data.capacities[t][i];
-        if (capacity < data.censored_at) {
-          record.capacities.push_back(capacity);
-        } else {
-          ++record.censored;
-        }
+        const double c = medians[t] * std::exp(0.4 * e);
+        data.capacities[t].push_back({std::min(c, 1.5), c < 1.5 ? c : infinity, 1.0, i});
       }
     }
   }
@@ -181,9 +176,9 @@ TEST(fit_surface, never_crosses) {
 
 TEST(fit_surface, leaves_out_a_threshold_that_was_not_reached) {
   ShapeData data = capacities_of(8);
-  for (RecordCapacities& record : data.capacities[2]) record = {{}, 20.0, 0.0};
+  for (Bracket& row : data.capacities[2]) row = {1.5, infinity, 1.0, row.record};
   EXPECT_EQ(fit_surface(data)->thresholds_m.size(), 2u);
-  for (RecordCapacities& record : data.capacities[1]) record = {{}, 20.0, 0.0};
+  for (Bracket& row : data.capacities[1]) row = {1.5, infinity, 1.0, row.record};
   EXPECT_FALSE(fit_surface(data));
 }
 

@@ -30,9 +30,9 @@ TEST(counts_file, is_read_with_comments_blanks_and_either_line_end) {
   const CountsInput counts = read_counts(folder.write(
       "c.csv", "# source\r\nim, num_gms ,num_exceed\r\n0.2,40,0\r\n\r\n 0.4 , 40 , 6\r\n"));
   ASSERT_EQ(counts.rows.size(), 2u);
-  EXPECT_EQ(counts.rows[1].stripe.intensity, 0.4);
-  EXPECT_EQ(counts.rows[1].stripe.trials, 40.0);
-  EXPECT_EQ(counts.rows[1].stripe.exceedances, 6.0);
+  EXPECT_EQ(counts.rows[1].intensity, 0.4);
+  EXPECT_EQ(counts.rows[1].trials, 40.0);
+  EXPECT_EQ(counts.rows[1].exceedances, 6.0);
   EXPECT_FALSE(counts.has.record || counts.has.weight);
 }
 
@@ -41,7 +41,7 @@ TEST(counts_file, may_have_what_a_spreadsheet_leaves_behind) {
   const CountsInput counts = read_counts(folder.write(
       "c.csv", "\xEF\xBB\xBFim,num_gms,num_exceed,,\n0.2,40,0,,\n,,,,\n0.4,40,6\n,,\n"));
   ASSERT_EQ(counts.rows.size(), 2u);
-  EXPECT_EQ(counts.rows[1].stripe.exceedances, 6.0);
+  EXPECT_EQ(counts.rows[1].exceedances, 6.0);
   EXPECT_THAT(counts_lines("im,num_gms,num_exceed,,\n0.2,40,0,,1\n0.4,40\n"), ElementsAre(2, 3));
 }
 
@@ -83,7 +83,7 @@ TEST(fit_file, has_records_and_weights_in_any_column) {
   EXPECT_TRUE(counts.has.record && counts.has.weight);
   EXPECT_EQ(counts.rows[0].record, counts.rows[2].record);
   EXPECT_NE(counts.rows[0].record, counts.rows[1].record);
-  EXPECT_EQ(counts.rows[1].stripe.exceedances, 3.0);
+  EXPECT_EQ(counts.rows[1].exceedances, 3.0);
   EXPECT_EQ(counts.rows[1].weight, 2.0);
   EXPECT_EQ(counts.rows[2].weight, 0.0);
 }

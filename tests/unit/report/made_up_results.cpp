@@ -85,8 +85,8 @@ ThresholdFragility fragility_of(const Results& results, const RunResults& run, d
   for (const double x : run.band_intensities) {
     const double z = std::log(x / fit.curve.median) / fit.curve.log_std;
     const double half = 0.5;  // of a standard normal: 1.96 x 0.35 / sqrt(12) over 0.40
-    fragility.band.push_back({0.5 * std::erfc(-(z - half) / std::sqrt(2.0)),
-                              0.5 * std::erfc(-(z + half) / std::sqrt(2.0))});
+    fragility.capacities.band.push_back({0.5 * std::erfc(-(z - half) / std::sqrt(2.0)),
+                                         0.5 * std::erfc(-(z + half) / std::sqrt(2.0))});
   }
   return fragility;
 }

@@ -239,7 +239,7 @@ TEST(reduce, has_histories_that_slide_freely_in_the_observed_shares_the_curves_a
     EXPECT_NEAR(fit.curve.probability(1.0), 0.25, 0.03);  // separated: penalised for 3 records
     EXPECT_LT(fit.curve.intensity_at(0.5), fit.curve.median);
   }
-  for (const Interval& interval : f.band) EXPECT_GE(interval.low, 0.25);
+  for (const Interval& interval : f.capacities.band) EXPECT_GE(interval.low, 0.25);
 }
 
 TEST(reduce, reports_that_every_history_slides_freely) {

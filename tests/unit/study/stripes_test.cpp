@@ -68,23 +68,22 @@ TEST(stripes, give_the_histories_of_the_same_suite_at_all_levels) {
 }
 
 /// The counts of a run by hand: those of the records of each motion together.
-std::vector<RecordStripes> counted(const Results& results, const RunResults& run,
-                                   double threshold_m, bool motions_together) {
-  std::vector<RecordStripes> data;
+std::vector<Stripe> counted(const Results& results, const RunResults& run, double threshold_m,
+                            bool motions_together) {
+  std::vector<Stripe> data;
   for (std::size_t record = 0; record < results.records.size(); ++record) {
-    const std::size_t level = record / 3;
-    const bool is_first = motions_together && record == 3;
-    RecordStripes& of =
-        is_first ? data[0] : data.emplace_back(RecordStripes{{0.0, 0.0}, {0.0, 0.0}});
+    const std::size_t level = record / 3, motion = motions_together && record == 3 ? 0 : record;
+    Stripe of{results.levels[level], 0.0, 0.0, 1.0, motion}, free{0.0, 0.0, 0.0, 1.0, motion};
     for (std::size_t i = run.first_case; i < run.first_case + run.cases; ++i) {
       if (slides_freely(results.cases.cases[i])) {
-        of.free += is_first ? 0.0 : 1.0;
+        free.trials = ++free.exceedances;
         continue;
       }
-      of.trials[level] += 1.0;
-      if (results.histories.displacement_m(record, i, level) >= threshold_m)
-        of.exceedances[level] += 1.0;
+      of.trials += 1.0;
+      if (results.histories.displacement_m(record, i, level) >= threshold_m) of.exceedances += 1.0;
     }
+    data.push_back(of);
+    if (motion == record) data.push_back(free);
   }
   return data;
 }
@@ -94,17 +93,18 @@ TEST(stripes, are_fitted_by_motion_so_that_one_in_two_stripes_is_one_unit) {
   const RunResults& run = results.runs.front();
   const ThresholdFragility& fragility = run.fragilities[0];
   ASSERT_TRUE(fragility.on_stripes);
-  const FitSummary expected =
-      fit_stripes_by_record(results.levels, counted(results, run, fragility.threshold_m, true));
+  const auto fitted = [&](bool motions_together) {
+    return fit_stripes(counted(results, run, fragility.threshold_m, motions_together),
+                       Independent::records);
+  };
+  const FitSummary expected = fitted(true);
   EXPECT_EQ(fragility.stripes.status, expected.status);
   EXPECT_EQ(fragility.stripes.curve.median, expected.curve.median);
   EXPECT_EQ(fragility.stripes.curve.log_std, expected.curve.log_std);
   EXPECT_EQ(fragility.stripes.median_interval.low, expected.median_interval.low);
-  const FitSummary apart =
-      fit_stripes_by_record(results.levels, counted(results, run, fragility.threshold_m, false));
-  EXPECT_NE(apart.median_interval.low, expected.median_interval.low);
+  EXPECT_NE(fitted(false).median_interval.low, expected.median_interval.low);
   EXPECT_EQ(fragility.capacities.status, FitStatus::failed);
-  EXPECT_EQ(fragility.band.size(), run.band_intensities.size());
+  EXPECT_EQ(fragility.stripes.band.size(), run.band_intensities.size());
 }
 
 TEST(stripes, have_shares_and_slips_of_the_records_of_their_level) {

@@ -32,7 +32,6 @@ struct ThresholdFragility {
   const FitSummary& curve_fit() const { return on_stripes ? stripes : capacities; }
   std::vector<double> probability;             ///< observed share exceeding, per level
   std::vector<Interval> probability_interval;  ///< 95 %, bootstrap over records, per level
-  std::vector<Interval> band;  ///< 95 % band of curve_fit() at RunResults::band_intensities
   double recross_share =
       0.0;  ///< of (record, sample) that reached it: share falling below it again at a higher level
   std::vector<double> record_recross;  ///< 1 where any sample of the record recrosses
@@ -58,10 +57,10 @@ struct RunResults {
   std::string friction_description;  ///< "normal, mean 0.55, std 0.04", "mean - 2 std = 0.47"
   std::uint64_t first_case = 0, cases = 0;      ///< of the histories
   std::vector<ThresholdFragility> fragilities;  ///< by threshold
-  std::vector<double> band_intensities;
-  std::vector<SlipStatistics> slip;           ///< by level
-  std::vector<StandardComparison> standards;  ///< by (standard, level); empty unless sds_g
-  std::vector<ImpactStatistics> impact;       ///< by (threshold, level); empty where not required
+  std::vector<double> band_intensities;         ///< of the bands of curve_fit()
+  std::vector<SlipStatistics> slip;             ///< by level
+  std::vector<StandardComparison> standards;    ///< by (standard, level); empty unless sds_g
+  std::vector<ImpactStatistics> impact;         ///< by (threshold, level); empty where not required
 };
 inline CaseSlice slice_of(const RunResults& run) { return {run.first_case, run.cases}; }
 

@@ -209,11 +209,11 @@ Table fragility_band_table(const Results& results, std::span<const RunResults> r
               {}};
   for (const RunResults& run : runs) {
     for (const ThresholdFragility& fragility : run.fragilities) {
-      for (std::size_t i = 0; i < fragility.band.size(); ++i) {
+      const std::vector<Interval>& band = fragility.curve_fit().band;
+      for (std::size_t i = 0; i < band.size(); ++i) {
         const double intensity = run.band_intensities[i];
-        table.add(
-            {run.label, fragility.threshold_m, intensity,
-             Estimate{fragility.curve_fit().curve.probability(intensity), fragility.band[i]}});
+        table.add({run.label, fragility.threshold_m, intensity,
+                   Estimate{fragility.curve_fit().curve.probability(intensity), band[i]}});
       }
     }
   }

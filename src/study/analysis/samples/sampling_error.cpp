@@ -8,8 +8,8 @@
 #include <limits>
 #include <numeric>
 
+#include "analysis/shape/threshold_data.hpp"
 #include "glissade/core/distributions.hpp"
-#include "glissade/fragility/fit.hpp"
 #include "glissade/study/results.hpp"
 
 namespace glissade {
@@ -20,21 +20,8 @@ constexpr double width_of_95_percent = 3.92;  // standard errors
 /// ln median of the fit on some cases; NaN: no fit.
 double log_median(const HistoryTable& histories, const std::vector<std::size_t>& cases,
                   std::size_t threshold, double highest_level) {
-  CapacitySample sample;
-  sample.censored_at = highest_level;
-  for (std::size_t record = 0; record < histories.records; ++record) {
-    for (const std::size_t i : cases) {
-      const double capacity = histories.capacity(record, i, threshold);
-      if (std::isinf(capacity)) {
-        sample.censored += 1.0;
-      } else if (capacity == 0.0) {
-        sample.free += 1.0;
-      } else {
-        sample.capacities.push_back(capacity);
-      }
-    }
-  }
-  const FitSummary fit = fit_capacities(sample);
+  const FitSummary fit =
+      fit_brackets(capacities_of(histories, cases, threshold, highest_level), Independent::rows);
   return fit.converged() ? std::log(fit.curve.median) : std::numeric_limits<double>::quiet_NaN();
 }
 

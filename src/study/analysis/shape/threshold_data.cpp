@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <tuple>
 
 #include "glissade/study/cases/case_scene.hpp"
@@ -19,65 +20,64 @@ bool is_same_motion(const RecordSummary& a, const RecordSummary& b) {
   return known(a) == known(b);
 }
 
-}  // namespace
-
-std::vector<RecordStripes> multiple_stripes(const Results& results, CaseSlice cases,
-                                            double threshold_m) {
-  const HistoryTable& table = results.histories;
-  double free = 0.0;
-  for (std::size_t i = cases.first; i < cases.first + cases.count; ++i)
-    free += slides_freely(results.cases.cases[i]) ? 1.0 : 0.0;
-  std::vector<RecordStripes> motions;
-  std::vector<std::size_t> first_of;  // by motion: the first record that is it
-  for (std::size_t record = 0; record < table.records; ++record) {
-    const auto same = std::ranges::find_if(first_of, [&](std::size_t first) {
-      return is_same_motion(results.records[first], results.records[record]);
-    });
-    const auto motion = static_cast<std::size_t>(same - first_of.begin());
-    if (same == first_of.end()) {
-      first_of.push_back(record);
-      const std::vector<double> none(results.levels.size(), 0.0);
-      motions.push_back({none, none, free});
-    }
-    const std::size_t level = table.stripe_of[record];
-    motions[motion].trials[level] += static_cast<double>(cases.count) - free;
-    for (std::size_t i = cases.first; i < cases.first + cases.count; ++i)
-      if (!slides_freely(results.cases.cases[i]) &&
-          table.displacement_m(record, i, level) >= threshold_m)
-        motions[motion].exceedances[level] += 1.0;
+/// By record: its motion, named by the first record that is it. Without stripes by level each is
+/// its own.
+std::vector<std::size_t> motions_of(const Results& results) {
+  std::vector<std::size_t> motions;
+  for (std::size_t record = 0; record < results.histories.records; ++record) {
+    std::size_t first = results.by_stripes ? 0 : record;
+    while (first < record && !is_same_motion(results.records[first], results.records[record]))
+      ++first;
+    motions.push_back(first);
   }
   return motions;
 }
 
-ThresholdData threshold_data(const Results& results, CaseSlice cases, std::size_t threshold) {
-  const HistoryTable& table = results.histories;
-  const double threshold_m = results.thresholds_m[threshold];
-  ThresholdData data{std::vector<RecordStripes>(table.records),
-                     std::vector<RecordCapacities>(table.records)};
-  for (std::size_t record = 0; record < table.records; ++record) {
-    RecordStripes& stripes = data.stripes[record];
-    RecordCapacities& capacities = data.capacities[record];
-    stripes.exceedances.assign(table.levels, 0.0);
-    for (std::size_t i = cases.first; i < cases.first + cases.count; ++i) {
-      const double capacity = table.capacity(record, i, threshold);
-      if (capacity == 0.0) {
-        capacities.free += 1.0;
-        continue;
-      }
-      if (std::isinf(capacity)) {
-        capacities.censored += 1.0;
-      } else {
-        capacities.capacities.push_back(capacity);
-      }
-      for (std::size_t level = 0; level < table.levels; ++level) {
-        if (table.displacement_m(record, i, level) >= threshold_m)
-          stripes.exceedances[level] += 1.0;
-      }
+}  // namespace
+
+std::vector<Bracket> capacities_of(const HistoryTable& histories,
+                                   const std::vector<std::size_t>& cases, std::size_t threshold,
+                                   double highest_level) {
+  std::vector<Bracket> rows;
+  for (std::size_t record = 0; record < histories.records; ++record)
+    for (const std::size_t i : cases) {
+      const double capacity = histories.capacity(record, i, threshold);
+      rows.push_back({std::min(capacity, highest_level), capacity, 1.0, record});
     }
-    stripes.free = capacities.free;
-    stripes.trials.assign(table.levels, static_cast<double>(cases.count) - stripes.free);
+  return rows;
+}
+
+std::vector<Bracket> capacities_of(const Results& results, CaseSlice cases, std::size_t threshold) {
+  std::vector<std::size_t> all(cases.count);
+  std::iota(all.begin(), all.end(), cases.first);
+  return capacities_of(results.histories, all, threshold, results.levels.back());
+}
+
+std::vector<Stripe> stripes_of(const Results& results, CaseSlice cases, std::size_t threshold) {
+  const HistoryTable& table = results.histories;
+  const auto needs_shaking = [&](std::size_t record, std::size_t i) {
+    return results.by_stripes ? !slides_freely(results.cases.cases[i])
+                              : table.capacity(record, i, threshold) > 0.0;
+  };
+  const std::vector<std::size_t> motions = motions_of(results);
+  std::vector<Stripe> rows;
+  for (std::size_t record = 0; record < table.records; ++record) {
+    std::vector<std::size_t> others;  // than those that slide freely
+    for (std::size_t i = cases.first; i < cases.first + cases.count; ++i)
+      if (needs_shaking(record, i)) others.push_back(i);
+    const auto trials = static_cast<double>(others.size()),
+               free = static_cast<double>(cases.count) - trials;
+    if (motions[record] == record) rows.push_back({0.0, free, free, 1.0, record});
+    for (std::size_t level = 0; level < results.levels.size(); ++level) {
+      if (!table.has(record, level)) continue;
+      const auto exceed = std::ranges::count_if(others, [&](std::size_t i) {
+        return table.displacement_m(record, i, level) >= results.thresholds_m[threshold];
+      });
+      rows.push_back(
+          {results.levels[level], trials, static_cast<double>(exceed), 1.0, motions[record]});
+    }
   }
-  return data;
+  return rows;
 }
 
 namespace {
@@ -105,12 +105,10 @@ std::vector<std::vector<SlipSums>> slips_of(const Results& results, CaseSlice ca
 ShapeData shape_data(const Results& results, CaseSlice cases) {
   ShapeData data{.intensities = results.levels,
                  .thresholds_m = results.thresholds_m,
-                 .censored_at = results.levels.back(),
                  .slips = slips_of(results, cases)};
   for (std::size_t t = 0; t < results.thresholds_m.size(); ++t) {
-    ThresholdData of = threshold_data(results, cases, t);
-    data.stripes.push_back(std::move(of.stripes));
-    data.capacities.push_back(std::move(of.capacities));
+    data.stripes.push_back(stripes_of(results, cases, t));
+    data.capacities.push_back(capacities_of(results, cases, t));
   }
   return data;
 }

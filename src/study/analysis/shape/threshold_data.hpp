@@ -6,18 +6,17 @@
 
 namespace glissade {
 
-/// What the histories of some cases give of one threshold, by record. Those that slide freely are
-/// counted beside the others.
-struct ThresholdData {
-  std::vector<RecordStripes> stripes;
-  std::vector<RecordCapacities> capacities;
-};
-ThresholdData threshold_data(const Results& results, CaseSlice cases, std::size_t threshold);
+// What the histories of some cases give of one threshold.
 
-/// Of multiple stripes, by motion: one that is in several stripes is one record of the data, whose
-/// histories depend on each other.
-std::vector<RecordStripes> multiple_stripes(const Results& results, CaseSlice cases,
-                                            double threshold_m);
+/// Capacities, exact or above the highest level.
+std::vector<Bracket> capacities_of(const HistoryTable& histories,
+                                   const std::vector<std::size_t>& cases, std::size_t threshold,
+                                   double highest_level);
+std::vector<Bracket> capacities_of(const Results& results, CaseSlice cases, std::size_t threshold);
+
+/// Counts at the levels. Of multiple stripes by motion: one that is in several stripes is one
+/// record of the data, whose histories depend on each other.
+std::vector<Stripe> stripes_of(const Results& results, CaseSlice cases, std::size_t threshold);
 
 /// Of all thresholds, with the displacements where all of them are known.
 ShapeData shape_data(const Results& results, CaseSlice cases);

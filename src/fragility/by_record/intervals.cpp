@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "by_record/sandwich.hpp"
+#include "by_record/intervals.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "glissade/core/distributions.hpp"
 
@@ -22,5 +23,12 @@ Interval t_interval(double value, double standard_error, double effective) {
   const double reach = student_quantile(std::max(1.0, effective - 1), 0.975) * standard_error;
   return {value - reach, value + reach};
 }
+
+Interval chi_square_interval(double log_std, double freedom) {
+  return {log_std * std::sqrt(freedom / chi_squared_quantile(freedom, 0.975)),
+          log_std * std::sqrt(freedom / chi_squared_quantile(freedom, 0.025))};
+}
+
+Interval exponentials(const Interval& logs) { return {std::exp(logs.low), std::exp(logs.high)}; }
 
 }  // namespace glissade::fragility

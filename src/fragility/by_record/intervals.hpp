@@ -2,7 +2,6 @@
 #pragma once
 
 #include <Eigen/Dense>
-#include <vector>
 
 #include "glissade/fragility/fit.hpp"
 
@@ -17,5 +16,11 @@ double effective_number(const Eigen::VectorXd& weights);
 
 /// value -+ t se at 95 %, Student's t of `effective` - 1 degrees of freedom, at least 1.
 Interval t_interval(double value, double standard_error, double effective);
+
+/// That of log_std whose square has a chi-square distribution of `freedom`.
+Interval chi_square_interval(double log_std, double freedom);
+
+/// Of the logarithms' interval.
+Interval exponentials(const Interval& logs);
 
 }  // namespace glissade::fragility
