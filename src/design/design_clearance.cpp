@@ -182,7 +182,7 @@ double required_m(const Project& project, const Results& demand, double friction
 
 double rounded_up(double value, double step) {
   GLISSADE_EXPECTS(step > 0.0);
-  return step * std::ceil(value / step - 1e-9);
+  return step * std::ceil(value / step - 1e-9) + 0.0;  // no -0
 }
 
 DesignClearance design_clearance(const Project& project, const Results& demand,

@@ -118,13 +118,15 @@ TEST_F(Package, mean_and_analysis_add_up_from_the_displacements_of_the_records) 
   EXPECT_NEAR(printed_mean, sum_in / 7, 0.011);
   EXPECT_NEAR(printed_analysis, 1.1 * sum_in / 7, 0.012);
   EXPECT_NEAR(printed_analysis, numbers().at("analysis_m").get<double>() / 0.0254, 0.0051);
+  for (const char* table : {"scaled_motions", "record_spectra"})  // what the factor follows from
+    EXPECT_TRUE(fs::exists(out() / "tables" / (std::string(table) + ".csv"))) << table;
 }
 
 // City of Santa Ana, building records, document 370815, page 20.
 TEST_F(Package, has_the_separations_of_the_published_sheet_beside_its_own) {
   EXPECT_THAT(read_file(out() / "tables/by_hand.csv"),
-              states("12.7 in (1.06 ft)", "25.4 in (2.12 ft)", "50.8 in (4.23 ft)", "10.5 in",
-                     "20.5 in", "48.0 in"));
+              states("12.7 in (1.06 ft)", "25.4 in (2.12 ft)", "50.8 in (4.23 ft)",
+                     "10.5 in (0.88 ft)", "20.5 in (1.71 ft)", "48.0 in (4.00 ft)"));
   EXPECT_NEAR(read_project(project_file).building.approximate_period_s.value(), 0.288, 5e-4);
 }
 
@@ -412,8 +414,9 @@ TEST_F(Package, of_a_hazard_curve_has_annual_rates_and_the_displacement_that_add
   EXPECT_EQ(json.at("separations").at(3).at("is_sufficient"), true);
   EXPECT_EQ(json.at("compared").size(), 7u);
   EXPECT_THAT(child.out, states("NOT SUFFICIENT"));
-  EXPECT_THAT(read_file(other / "package.html"),
-              states("skylight &lt;3&gt;", "B, C, D: ", "C available 12.0 in"));
+  EXPECT_THAT(
+      read_file(other / "package.html"),
+      states("skylight &lt;3&gt;", "B, C, D: ", "C available 12.0 in", "separations A to F"));
   const std::string workbook = text_of_workbook(other / "package.xlsx");
   if (workbook.empty()) return;
   EXPECT_THAT(workbook, testing::HasSubstr("0012345"));  // no number

@@ -10,6 +10,7 @@
 #include "cli/child.hpp"
 #include "cli/small_study.hpp"
 #include "facts.hpp"
+#include "glissade/design/design_clearance.hpp"
 #include "one_line.hpp"
 
 namespace glissade::test {
@@ -93,6 +94,7 @@ TEST_F(ProductSheet, has_every_level_in_one_table_in_its_unit_rounded_up) {
   ASSERT_EQ(finished_.status, 0) << finished_.err;
   const auto sheet = rows_of(out() / "tables/design_displacements.csv");
   ASSERT_EQ(sheet.size(), 2u * 3u);
+  EXPECT_FALSE(std::signbit(rounded_up(0.0, 0.1)));  // "0", not "-0"
   std::size_t i = 0;
   double largest_ft = 0.0;
   for (const std::string target : {"target_1", "target_2"}) {

@@ -111,7 +111,9 @@ TEST_F(Sites, each_have_a_package_of_their_own_and_a_row_of_the_summary) {
   EXPECT_EQ(sites[1].at("s1_g"), 0.5);
   EXPECT_EQ(sites[0].at("verdict"), "open");  // simulated motions
   EXPECT_EQ(sites[1].at("verdict"), "not sufficient");
-  EXPECT_THAT(one_line(finished_.out), states("Roof A", "Roof B", "not sufficient", "sites.html"));
+  EXPECT_THAT(one_line(finished_.out),
+              states("Roof A", "Roof B", "not sufficient", "site_1, site_2", "sites.html"));
+  EXPECT_THAT(finished_.out, testing::Not(testing::HasSubstr("CSV files only")));
 }
 
 TEST_F(Sites, a_table_of_a_site_is_in_place_of_that_of_the_project) {

@@ -219,13 +219,14 @@ void read_model(const TomlTable& table, ProjectBuilding& building) {
     building.model_basis = "project file";
     return;
   }
-  const std::string name = table.text("system").value_or("other");
+  std::string name = table.text("system").value_or("other");
   const auto system = std::ranges::find(structural_systems, name, &StructuralSystem::name);
   const StructuralSystem& found =
       system != structural_systems.end()
           ? *system
           : structural_systems[name == "concentrically_braced_frame" ? 2 : 3];
   building.alpha = {found.least_alpha, found.most_alpha};
+  std::ranges::replace(name, '_', ' ');
   building.model_basis = fmt::format("usual for {} (Miranda & Taghavi 2005)",
                                      table.has("system") ? name : "a system that is not stated");
 }

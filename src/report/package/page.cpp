@@ -61,11 +61,11 @@ constexpr std::array<SectionHead, 16> heads{{
 }};
 
 Html contents_html() {
-  Html html("<ul class=\"contents\">\n");
+  Html html("<div class=\"short\"><ul class=\"contents\">\n");
   for (const SectionHead& head : heads)
     html += enclosed(head.id, fmt::format("{}. {}", number_of(head.section), head.title),
                      "</a></li>\n");
-  return html + "</ul>\n";
+  return html + "</ul></div>\n";
 }
 
 Html section_heading(Section section) {
@@ -321,9 +321,11 @@ Html separations_html(const CalculationPackage& package) {
          "<figure>\n" +
          in_box(Html::drawing(separations_sketch(package),
                               "Plan of the roof with the required and available separations")) +
-         "<figcaption>Plan: the required separations A to D to scale, and what is available. "
-         "Arrays "
-         "and objects are not to scale.</figcaption>\n</figure>\n";
+         enclosed("<figcaption>",
+                  "Plan: the required separations A to " +
+                      separation_letter(package.design.separations.size() - 1) +
+                      " to scale, and what is available. Arrays and objects are not to scale.",
+                  "</figcaption>\n</figure>\n");
 }
 
 Html by_hand_html(const CalculationPackage& package) {
@@ -496,14 +498,17 @@ bool write_package(const CalculationPackage& package, const std::filesystem::pat
                    bool overwrite) {
   const LengthUnits units(package.project.units);
   const Project& project = package.project;
-  std::vector<Table> tables{
-      title_table(project),      scope_table(package),       criteria_table(package),
-      building_table(package),   array_table(package),       friction_table(package),
-      motions_table(package),    files_table(package),       record_displacements_table(package),
-      demand_table(package),     separations_table(package), sensitivity_table(package),
-      exceedance_table(package), compared_table(package),    roof_accelerations_table(package),
-      by_hand_table(package),    prescribed_table(package),  provisions_table(package),
-      checks_table(package)};
+  std::vector<Table> tables{title_table(project),       scope_table(package),
+                            criteria_table(package),    building_table(package),
+                            array_table(package),       friction_table(package),
+                            motions_table(package),     scaled_motions_table(package),
+                            files_table(package),       record_displacements_table(package),
+                            demand_table(package),      separations_table(package),
+                            sensitivity_table(package), exceedance_table(package),
+                            compared_table(package),    roof_accelerations_table(package),
+                            by_hand_table(package),     prescribed_table(package),
+                            provisions_table(package),  checks_table(package)};
+  if (!project.of_roof) tables.push_back(record_spectra_table(package));
   if (!project.friction.tested.empty()) tables.push_back(pull_tests_table(project.friction));
   for (Table& table : given_curves(project)) tables.push_back(std::move(table));
   write_workbook(tables, out_dir / "package.xlsx");

@@ -42,7 +42,12 @@ Table sites_table(const SiteSheets& sheets) {
 }  // namespace
 
 std::string sites_screen(const SiteSheets& sheets) {
-  return wrapped(sheets.name, terminal_width, 0) + "\n" + to_text(sites_table(sheets));
+  std::string folders;
+  for (const SiteSheet& site : sheets.sites)
+    folders += (folders.empty() ? "Packages, in this order: " : ", ") + site.folder;
+  return wrapped(sheets.name, terminal_width, 0) + "\n" +
+         to_text(sites_table(sheets).without("folder")) + wrapped(folders, terminal_width, 2) +
+         "\n";
 }
 
 bool write_site_sheets(const SiteSheets& sheets, const std::filesystem::path& out_dir,

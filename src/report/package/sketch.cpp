@@ -110,6 +110,10 @@ std::string separations_sketch(const CalculationPackage& package) {
       if (all[row].available_m)
         available.push_back(letter + " available " + length_in(*all[row].available_m));
     }
+    std::size_t characters = letters.size() + 10;
+    for (const std::string& line : available) characters = std::max(characters, line.size());
+    const double half = 3.4 * static_cast<double>(characters);  // clear of the edges of the roof
+    if (anchor == "middle") at.x = std::clamp(at.x, parapet + half, edge - half);
     drawing.text(at, letters + ": " + length_in(gap_m(kind)),
                  "text-anchor=\"" + anchor + "\" font-weight=\"bold\"");
     for (const std::string& line : available)

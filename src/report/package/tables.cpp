@@ -31,6 +31,11 @@ std::string prescribed_separation(double length_m) {
                      : length_in(length_m);
 }
 
+/// Of a required separation, rounded up: "1.38".
+std::string required_ft(double length_m) {
+  return fmt::format("{:.2f}", rounded_up(length_m / foot_m, 0.01));
+}
+
 /// "2.5 % [0 %, 44 %]"
 std::string share_text(const ExceedanceAt& e) {
   return fmt::format("{} [{}, {}]", format_share(e.probability), format_share(e.interval.low),
@@ -244,7 +249,8 @@ Table by_hand_table(const CalculationPackage& package) {
         std::ranges::find(package.design.separations, i, &ProjectSeparation::kind)
             ->required.value_m;
     table.add({prescribed[i].what, fmt::format("{:.1f}", prescribed[i].factor),
-               prescribed_separation(prescribed[i].value_m), prescribed_separation(required_m),
+               prescribed_separation(prescribed[i].value_m),
+               length_in(required_m) + (in_inches() ? " (" + required_ft(required_m) + " ft)" : ""),
                fmt::format("{:.2f}", required_m / prescribed[i].value_m)});
   }
   return table;
@@ -289,15 +295,15 @@ Table separations_table(const CalculationPackage& package) {
       {}};
   for (const ProjectSeparation& s : design.separations) {
     const bool known = s.available_m.has_value();
-    table.add({separation_letter(table.rows.size()), s.text(),
-               fmt::format("{:.1f}", s.required.factor), length_in_both(s.required.value_m),
-               fmt::format("{:.2f}", rounded_up(s.required.value_m / foot_m, 0.01)),
-               known ? length_in_both(*s.available_m) : "not stated",
-               std::string(!known ? "-"
-                           : *s.available_m < s.required.value_m
-                               ? "NOT SUFFICIENT: " +
-                                     length_in(s.required.value_m - *s.available_m) + " short"
-                               : verdict_where_wide_enough(package))});
+    table.add(
+        {separation_letter(table.rows.size()), s.text(), fmt::format("{:.1f}", s.required.factor),
+         length_in_both(s.required.value_m), required_ft(s.required.value_m),
+         known ? length_in_both(*s.available_m) : "not stated",
+         std::string(!known ? "-"
+                     : *s.available_m < s.required.value_m
+                         ? "NOT SUFFICIENT: " + length_in(s.required.value_m - *s.available_m) +
+                               " short"
+                         : verdict_where_wide_enough(package))});
   }
   const Standard standard = package.project.standard;
   for (const Separation& s : separations_of(standard, design.governing_m)) {

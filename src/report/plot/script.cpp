@@ -40,7 +40,8 @@ std::string as_format(const std::string& label) {
 
 /// Characters in a line of a heading that is as wide as the figure.
 constexpr std::size_t title_width = 78, panel_title_width = 28, below_width = 90;
-constexpr std::size_t tick_width = 18;  // beside the y axis
+/// Of a tick of the y axis, beside one of two panels in a row, and beside a single one.
+constexpr std::size_t tick_width = 18, single_tick_width = 30;
 
 /// In lines of at most `width` characters, nearly equal ones. A number stays with its unit, and the
 /// name of a standard is whole.
@@ -79,7 +80,8 @@ void add_ticks(Script& script, const std::vector<Tick>& ticks, std::size_t width
   script.add(")\n");
 }
 
-void add_axis(Script& script, Word which, const Axis& axis, std::size_t label_width) {
+void add_axis(Script& script, Word which, const Axis& axis, std::size_t label_width,
+              std::size_t tick_width) {
   const std::string_view name = which.text;
   // An empty second line below the x axis keeps the key away from it.
   script.add("set {}label ", which);
@@ -94,7 +96,7 @@ void add_axis(Script& script, Word which, const Axis& axis, std::size_t label_wi
     for (const Tick& tick : axis.ticks) characters += tick.label.size() + 2;
     const bool turned = name == "x" && characters > label_width;  // else they touch
     script.add("{}", turned ? Word("rotate by 30 right ") : Word(""));
-    add_ticks(script, axis.ticks, name == "x" ? label_width : tick_width);
+    add_ticks(script, axis.ticks, tick_width);
   }
 }
 
@@ -253,8 +255,9 @@ void add_panels(Script& script, const Figure& figure) {
       script.add("\n");
     }
     script.add("set border 3 lc rgb '#444444'\n");
-    add_axis(script, "x", panel.x, several ? 44 : below_width);
-    add_axis(script, "y", panel.y, label_width(figure));
+    const std::size_t x_width = several ? 44 : below_width;
+    add_axis(script, "x", panel.x, x_width, x_width);
+    add_axis(script, "y", panel.y, label_width(figure), several ? tick_width : single_tick_width);
     add_rules_and_notes(script, panel);
     add_plot(script, figure.name, panel, index);
   }
@@ -265,9 +268,10 @@ void add_panels(Script& script, const Figure& figure) {
 
 namespace {
 
-/// Of a spectral acceleration that the text begins with: "S_D1"; 0 where it begins with none.
+/// Of a symbol that the text begins with: "S_D1"; 0 where it begins with none.
 std::size_t symbol_length(std::string_view text) {
-  for (const std::string_view symbol : {"S_DS", "S_D1", "S_MS", "S_M1", "S_S", "S_1", "S_a"}) {
+  for (const std::string_view symbol :
+       {"S_DS", "S_D1", "S_MS", "S_M1", "S_S", "S_1", "S_a", "\u03b1_0"}) {
     const bool ends = text.size() == symbol.size() ||
                       (text.size() > symbol.size() &&
                        std::isalnum(static_cast<unsigned char>(text[symbol.size()])) == 0 &&
@@ -291,7 +295,9 @@ Quoted::Quoted(std::string_view plain, Weight weight) {
     const char c = plain[i];
     const std::size_t symbol = symbol_length(plain.substr(i));
     if (symbol > 0) {  // gnuplot sets a subscript at 0.8 of the size
-      quoted_ += "S_{/*1.15 " + std::string(plain.substr(i + 2, symbol - 2)) + "}";
+      const std::size_t index = plain.find('_', i) + 1;
+      quoted_ += std::string(plain.substr(i, index - i)) + "{/*1.15 " +
+                 std::string(plain.substr(index, i + symbol - index)) + "}";
       i += symbol - 1;
       if (plain.substr(i + 1).starts_with(' ')) {
         quoted_ += "\u00a0";  // SVG readers drop a plain space at the end of a subscript

@@ -196,6 +196,12 @@ std::string range_of(const Results& results, CaseSlice cases, double Case::*of) 
   return (low == high ? "" : fmt::format("{:.3g} to ", low)) + fmt::format("{:.3g}", high);
 }
 
+/// Stated by cases_below(), or as the friction.
+bool is_of_cases_below(const std::string& key) {
+  return key.starts_with("friction.") || key == "roof.slope_deg" || key == "building.period_s" ||
+         key == "building.mass_ratio";
+}
+
 }  // namespace
 
 std::string cases_below(const Results& results, CaseSlice cases) {
@@ -216,7 +222,18 @@ std::string cases_below(const Results& results, CaseSlice cases) {
 }
 
 std::string run_below(const Results& results, const RunResults& run) {
-  return cases_below(results, slice_of(run)) + "; " + friction_of(results, run);
+  std::string friction = friction_of(results, run);
+  const std::size_t combination = combination_of(results, run);
+  const std::string listed = "; " + results.cases.describe(combination, "friction.value");
+  if (friction.ends_with(listed)) {
+    friction.resize(friction.size() - listed.size());
+    const std::vector<std::size_t> place = results.cases.places(combination);
+    for (std::size_t i = 0; i < place.size(); ++i) {
+      const CaseAxis& axis = results.cases.axes[i];
+      if (!is_of_cases_below(axis.key)) friction += "; " + axis.describe(place[i]);
+    }
+  }
+  return cases_below(results, slice_of(run)) + "; " + friction;
 }
 
 std::vector<double> some_levels(const std::vector<double>& levels, std::size_t count) {

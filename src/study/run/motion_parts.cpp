@@ -81,8 +81,13 @@ PeriodRange rule_range(const Plan& plan) {
   return period_range(plan.config.intensity.scaling_rule, plan.first_periods);
 }
 
-/// The same, and to where the rule of the scaling goes; of a suite that its
-/// file scales to MCE from 0 to 2 s by 0.01 s.
+void insert(double period_s, std::vector<double>& periods) {
+  const auto at = std::ranges::lower_bound(periods, period_s);
+  if (at == periods.end() || *at != period_s) periods.insert(at, period_s);
+}
+
+/// The same, with the listed periods of buildings, and to where the rule of the scaling goes; of a
+/// suite that its file scales to MCE from 0 to 2 s by 0.01 s.
 std::vector<double> suite_periods_s(const Plan& plan) {
   std::vector<double> periods = shown_periods_s();
   const IntensityConfig& intensity = plan.config.intensity;
@@ -97,9 +102,11 @@ std::vector<double> suite_periods_s(const Plan& plan) {
   if (to_s > longest_scaled_period_s) {
     constexpr double growth = 1.07;
     for (double t_s = growth * periods.back(); t_s < to_s; t_s *= growth) periods.push_back(t_s);
-    const auto at = std::ranges::lower_bound(periods, to_s);
-    if (at == periods.end() || *at != to_s) periods.insert(at, to_s);
+    insert(to_s, periods);
   }
+  if (is_by_sds(plan))
+    for (const double of_building : plan.config.quantities.at("building", "period_s").values)
+      if (of_building <= periods.back()) insert(of_building, periods);
   return periods;
 }
 

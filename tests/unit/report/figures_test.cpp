@@ -104,6 +104,24 @@ TEST(figures, of_the_fragility_name_suite_roof_and_building) {
               states(results.suites.front().name, "slope", "buildings of T", "friction"));
 }
 
+TEST(figures, name_what_the_study_lists_once) {
+  Results results = made_up_results();
+  results.cases.axes.push_back({"roof.slope_deg", "deg", {2.39}, {}});
+  results.cases.axes.push_back({"building.damping", "-", {0.05}, {}});
+  RunResults& run = results.runs.front();
+  run.friction_description = "mu 0.5; " + results.cases.describe(0, "friction.value");
+  const std::string below = fragility_figure(results, run).below;
+  EXPECT_THAT(below, states("slope", "friction mu 0.5", "damping"));
+  EXPECT_THAT(below, testing::Not(testing::HasSubstr("slope 2.39 deg")));
+}
+
+TEST(figures, have_names_beside_a_single_panel_in_one_line) {
+  Panel panel{"", {"Dispersion", 0.0, 1.0}, {"", -1.0, 1.0, {{0.0, "roof velocity and D5-95"}}}};
+  const fs::path folder = fresh_folder("names");
+  render_figure({"names", "", "", "", {panel}}, folder);
+  EXPECT_THAT(read_text_file(folder / "names.gp"), states("'roof velocity and D5-95' 0"));
+}
+
 // Of the panel and the series that a point is in, by the values of a logarithmic axis and by the
 // name of the nearest tick; a line says its name.
 TEST(figures, say_what_each_point_of_several_panels_is) {

@@ -43,6 +43,7 @@ TEST(gnuplot_script, quotes_what_could_end_or_act_in_a_string) {
   EXPECT_EQ(Quoted("S_D1 1 g, S_S, S_1x").str(), "'S_{/*1.15 D1}\u00a01 g, S_{/*1.15 S}, S\\_1x'");
   EXPECT_EQ(Quoted("a\nb\rc\td").str(), "'a b c d'");
   EXPECT_EQ(Quoted("{x}_1^2@&~\\").str(), "'\\{x\\}\\_1\\^2\\@\\&\\~\\\\'");
+  EXPECT_EQ(Quoted("over \u03b1_0, b_0").str(), "'over \u03b1_{/*1.15 0}, b\\_0'");
   EXPECT_EQ(Quoted("S_DS (g)").str(), "'S_{/*1.15 DS}\u00a0(g)'");
   EXPECT_EQ(Quoted("b", Quoted::Weight::bold).str(), "'{/:Bold b}'");
 }

@@ -145,6 +145,17 @@ TEST_F(reduce_of_a_small_study, shows_the_suite_against_its_design_spectrum) {
   }
 }
 
+// A sheet that prints them has what a reader computes from record and period.
+TEST(suite_spectra, are_known_at_the_listed_periods_of_buildings) {
+  StudyConfig config = small_config();
+  config.sampling.samples = 2;
+  const std::vector<double> listed{0.418, 0.835, 1.37};
+  config.quantities.at("building", "period_s") = {listed, {}};
+  const SuiteSpectra spectra = test::run(small_plan(config)).suites[0].spectra;
+  EXPECT_THAT(spectra.periods_s, testing::IsSupersetOf(listed));
+  EXPECT_TRUE(std::ranges::is_sorted(spectra.periods_s, std::ranges::less_equal{}));
+}
+
 // What the suite must be at that period is not interpolated.
 TEST(suite_spectra, are_known_at_the_period_to_which_the_study_scales) {
   StudyConfig config = small_config();

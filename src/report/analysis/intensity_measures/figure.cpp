@@ -49,8 +49,9 @@ Figure intensity_measures_figure(const Results& results) {
   panel.series = {std::move(bars), std::move(sufficient), std::move(insufficient)};
   Figure figure{
       "intensity_measures",
-      "Intensity measures ranked, for slip of " + format_length(ranking.front().threshold_m),
-      counts_of(results) + "; " + run_name(results, run),
+      "Intensity measures ranked by dispersion, for slip of " +
+          format_length(ranking.front().threshold_m),
+      run_below(results, run),
       "Capacity: the intensity at which half the samples of a record reach that displacement. A "
       "small dispersion means that a few records suffice. Of Arias intensity the square root "
       "counts, so that all measures grow with the motion alike. Of two measures: the first, given "

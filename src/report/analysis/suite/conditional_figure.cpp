@@ -27,7 +27,8 @@ Figure conditional_figure(const ConditionalTarget& target, const ConditionalSele
   const SpectrumDistribution& spectrum = target.spectrum;
   Figure figure{
       "conditional_spectrum", "Response spectra of the selected records and their target",
-      fmt::format("{} records of {} candidates", selection.records.size(), selection.candidates),
+      fmt::format("conditional on Sa({:g} s) = {:g} g; {} records of {} candidates",
+                  target.period_s(), target.sa_g, selection.records.size(), selection.candidates),
       "RotD50 spectra at 5 % damping of the records, each scaled to the known spectral "
       "acceleration (grey); their mean of ln Sa, and mean and 95 % range of the target: " +
           target_text + "."};

@@ -45,6 +45,8 @@ std::vector<Panel> panels_of(const Results& results, Table table, const std::str
   keep_largest(table, {"standard", "mu", "slope", x}, y);
   View view{table, x, {}, {{"standard", standard_name(verdict.rows.back().standard)}}};
   view.spread = DataSeries::Kind::bars;
+  const double x_end = over_r ? *strengths.rbegin() : results.levels.back();
+  view.apart = 0.004 * x_end;  // of one bar beside the next
   const std::vector<double> frictions = some_of(all_of(verdict, &VerdictRow::mu), most_lines);
   std::vector<Panel> panels;
   for (const double slope_deg : some_of(all_of(verdict, &VerdictRow::slope_deg), most_panels)) {
@@ -116,7 +118,8 @@ Figure verdict_figure(const Results& results) {
                   "95 % intervals over records; one that ends at its point has no upper end: the "
                   "records are too few for one. Dotted: what the other standard prescribes over "
                   "it. Ratios below {:g} are drawn at it; a line ends where the array slides "
-                  "freely. All frictions and slopes, with intervals: tables/verdict.csv.",
+                  "freely. Lines are drawn a little apart, for their bars. All frictions and "
+                  "slopes, with intervals: tables/verdict.csv.",
                   accepted, least_ratio)};
   const std::vector<DataSeries> others = other_standard(verdict, standard);
   for (const DataSeries& other : others) figure.below += "; dotted: " + other.name;
@@ -129,11 +132,16 @@ Figure verdict_figure(const Results& results) {
   }
   figure.panels = panels_of(results, std::move(table), "ratio", 1.0);
   double highest = 2.0;
+  bool has_less = false;
   for (Panel& panel : figure.panels) {
-    for (const DataSeries& series : panel.series)
+    for (const DataSeries& series : panel.series) {
       highest = std::max(highest, 1.12 * largest(series.high));
+      has_less |= std::ranges::any_of(series.y, [](double y) { return y < least_ratio; });
+    }
     panel.series.insert(panel.series.begin(), others.begin(), others.end());
   }
+  if (has_less)
+    figure.below += fmt::format("; points at the lower edge: {:g} or less", least_ratio);
   for (Panel& panel : figure.panels)
     panel.y = log_axis("Ratio to the prescribed value", least_ratio, highest,
                        [](double ratio) { return fmt::format("{:g}", ratio); }, {1.0, 2.0, 5.0});
@@ -154,7 +162,8 @@ Figure verdict_separations_figure(const Results& results) {
           "; the governing building; at the lines: friction; bars: 95 % over records",
       fmt::format(
           "At the lines: coefficient of friction of the array; that of its neighbour is drawn "
-          "(study). The larger of the gaps along and across the slope. Horizontal line: {:g} %. "
+          "(study). Lines are drawn a little apart, for their bars. The larger of the gaps along "
+          "and across the slope. Horizontal line: {:g} %. "
           "All frictions, slopes and separations: tables/verdict_separations.csv.",
           accepted)};
   Table table = verdict_separations_table(results);
