@@ -99,7 +99,7 @@ ChartQuestion read_question(const TomlTable& table, const std::vector<double>& m
 
 void read_chart(const TomlTable& root, StudyConfig& study) {
   const TomlTable table = root.table("chart");
-  ChartConfig chart;
+  ChartConfig& chart = *study.chart;  // without_target is read
   mirror_exactly(root, study);
   const std::vector<double>& levels = study.intensity.levels;
   // Of what is drawn the chart has one column, under its mean.
@@ -123,8 +123,6 @@ void read_chart(const TomlTable& root, StudyConfig& study) {
                               levels.empty() ? 0.0 : levels.back());
   for (const TomlTable& read : table.tables("read"))
     chart.questions.push_back(read_question(read, mu, slopes, levels));
-  chart.without_target = table.flag("without_target").value_or(chart.without_target);
-  study.chart = chart;
 }
 
 }  // namespace
@@ -138,14 +136,14 @@ AnalysisInFiles ChartAnalysis::in_files() {
                {"read",
                 "[[chart.read]] with level, slope_deg or rise_in_12, and mu or displacement_m",
                 "none", "a displacement, or the friction required for one, read off the chart"},
-               {"without_target", "true or false", "false",
+               {"without_target",
+                reads<&StudyConfig::chart, &ChartConfig::without_target>(),
                 "chart clearances also of a suite that does not meet its design spectrum: not "
-                "for design"}},
-      .key_needs = {{"chart", "without_target",
-                     "measure = \"mce_fraction\", or a building period above 2 s",
-                     [](const TomlTable&, const StudyConfig& s) {
-                       return s.intensity.measure.is_of_design_spectrum() && may_miss_target(s);
-                     }}},
+                "for design",
+                {{"measure = \"mce_fraction\", or a building period above 2 s",
+                  [](auto&, auto& s) {
+                    return s.intensity.measure.is_of_design_spectrum() && may_miss_target(s);
+                  }}}}},
       .uses = {"model.displacement", "sampling.bootstrap_replicates", "standards.compare"},
       .stands_alone = true,
       .needs_every_history = true,

@@ -1,29 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "analysis/in_files.hpp"
-#include "toml/number_list.hpp"
 
 namespace glissade {
-namespace {
-
-void read_fragility(const TomlTable& root, StudyConfig& study) {
-  const TomlTable table = root.table("fragility");
-  FragilityConfig fragility;
-  fragility.thresholds_m = read_increasing(table, "thresholds_m", above_zero);
-  fragility.stop_at_largest = table.flag("stop_at_largest").value_or(false);
-  study.fragility = fragility;
-}
-
-}  // namespace
 
 AnalysisInFiles FragilityAnalysis::in_files() {
+  constexpr auto fragility = &StudyConfig::fragility;
   return {
       .table = "fragility",
-      .read = read_fragility,
-      .keys =
-          {{"thresholds_m", list_value, "required",
-            "clearances, m: probability that displacement exceeds each"},
-           {"stop_at_largest", "true or false", "false",
-            "do not run levels above the one at which a history reaches the largest threshold"}},
+      .keys = {{"thresholds_m", reads<fragility, &FragilityConfig::thresholds_m>(above_zero),
+                "clearances, m: probability that displacement exceeds each"},
+               {"stop_at_largest",
+                reads<fragility, &FragilityConfig::stop_at_largest>(),
+                "do not run levels above the one at which a history reaches the largest threshold",
+                {{"a study without suite.stripes", [](auto&, auto& s) { return !s.by_stripes; }}}}},
       .uses = {"model.displacement", "sampling.target_error", "sampling.scrambles",
                "sampling.bootstrap_replicates", "standards.compare"},
       .stands_alone = true,

@@ -40,18 +40,20 @@ AnalysisInFiles HazardAnalysis::in_files() {
             "of the study's intensity measure"},
            {"k0", "number", "none", "in place of a curve: annual rate of exceeding x = k0 x^-k"},
            {"k", "number", "none", "the exponent of that"},
-           {"sds_g", "number", "none",
+           {"sds_g",
+            "number",
+            "none",
             "S_DS of the site, g: rates of the prescribed displacements; with k and without k0 the "
-            "curve is assumed from it, by the risk target of ASCE 7"},
+            "curve is assumed from it, by the risk target of ASCE 7",
+            {{"measure = \"sds_g\"",
+              [](auto&, auto& study) {
+                return study.intensity.measure == IntensityMeasure::sds_g;
+              }}}},
            {"design_life_years", "number", "required",
             "years over which slip is accumulated and probabilities are given"},
            {"target_rates_per_year", list_value, "1/700, 1/2475 and 1 % in 50 years",
             "the displacement exceeded at each of these annual rates is found"}},
       .needs = {needs_fragility},
-      .key_needs = {{"hazard", "sds_g", "measure = \"sds_g\"",
-                     [](const TomlTable&, const StudyConfig& study) {
-                       return study.intensity.measure == IntensityMeasure::sds_g;
-                     }}},
       .needs_every_history = true,
       .of_any_run = true};
 }

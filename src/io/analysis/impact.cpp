@@ -5,8 +5,7 @@ namespace glissade {
 
 AnalysisInFiles ImpactAnalysis::in_files() {
   return {.table = "impact",
-          .read = [](const TomlTable&, StudyConfig& study) { study.impact = true; },
-          .keys = {{"", "an empty table", "absent",
+          .keys = {{"", is_there<&StudyConfig::impact>(),
                     "when and how fast each threshold is first reached"}},
           .needs = {needs_fragility},
           .needs_every_history = true};

@@ -5,10 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "enum_names.hpp"
 #include "glissade/study/results.hpp"
-#include "study/grammar.hpp"
-#include "toml/toml_table.hpp"
+#include "study/study_keys.hpp"
 
 namespace glissade {
 
@@ -20,28 +18,16 @@ enum class FrictionUse {
   required,  ///< the analysis is of this value
 };
 
-/// A key of the analysis's own table, as in GrammarKey.
-struct AnalysisKey {
-  const char* key;
-  std::string value, usual, meaning;
-};
-
-/// What a study must have beside the table of the analysis; stated in errors and with its first
-/// key.
-struct AnalysisNeeds {
-  const char* what;  ///< "[model] axes = 2"
-  bool (*is_met)(const TomlTable& root, const StudyConfig& study);
-};
-inline constexpr AnalysisNeeds needs_fragility{
-    "[fragility]", [](const TomlTable& root, const StudyConfig&) { return root.has("fragility"); }};
+inline const StudyNeed needs_fragility{"[fragility]",
+                                       [](auto& root, auto&) { return root.has("fragility"); }};
 
 /// What an analysis has in study files. A part may be missing.
 struct AnalysisInFiles {
   const char* table = nullptr;  ///< of the study file
+  /// What the rows of its keys do not say; after them.
   void (*read)(const TomlTable& root, StudyConfig& study) = nullptr;
-  std::vector<AnalysisKey> keys;
-  std::vector<AnalysisNeeds> needs;
-  std::vector<KeyNeeds> key_needs;  ///< of its keys, or of others
+  std::vector<StudyKey> keys;
+  std::vector<StudyNeed> needs;   ///< beside the table of the analysis
   std::vector<const char*> uses;  ///< "sampling.scrambles": has no effect but with such an analysis
   bool stands_alone = false;      ///< or is read beside one that does
   bool needs_every_history = false;  ///< those beyond the largest threshold too

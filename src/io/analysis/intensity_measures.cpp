@@ -26,9 +26,7 @@ AnalysisInFiles IntensityMeasuresAnalysis::in_files() {
       .needs = {needs_fragility,
                 {"another intensity.measure than \"ppa_g\", whose factor on a record depends on "
                  "the roof",
-                 [](const TomlTable&, const StudyConfig& s) {
-                   return s.intensity.measure != IntensityMeasure::ppa_g;
-                 }}},
+                 [](auto&, auto& s) { return s.intensity.measure != IntensityMeasure::ppa_g; }}},
       .of_any_run = true};
 }
 

@@ -1,20 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <fmt/format.h>
-
 #include "analysis/in_files.hpp"
 #include "glissade/study/cases/sample_points.hpp"
-#include "toml/number_list.hpp"
 
 namespace glissade {
 namespace {
 
-void read_rare(const TomlTable& root, StudyConfig& study) {
-  const TomlTable table = root.table("rare");
-  constexpr NumberRule widening_rule{"from 1 to 10",
-                                     [](double x) { return x >= 1.0 && x <= 10.0; }};
-  RareConfig& rare = study.rare.emplace();
-  rare.thresholds_m = read_increasing(table, "thresholds_m", above_zero);
-  rare.widening = table.number("widening", widening_rule).value_or(rare.widening);
+void refuse_others(const TomlTable& root, StudyConfig&) {
   for (const AnalysisInFiles& other : analyses_in_files()) {
     if (other.table != nullptr && other.table != std::string("rare") && root.has(other.table))
       root.report("rare",
@@ -27,23 +18,24 @@ void read_rare(const TomlTable& root, StudyConfig& study) {
 }  // namespace
 
 AnalysisInFiles RareAnalysis::in_files() {
+  constexpr auto rare = &StudyConfig::rare;
+  constexpr NumberRule widening_rule{"from 1 to 10",
+                                     [](double x) { return x >= 1.0 && x <= 10.0; }};
   return {
       .table = "rare",
-      .read = read_rare,
-      .keys = {{"thresholds_m", list_value, "required",
+      .read = refuse_others,
+      .keys = {{"thresholds_m", reads<rare, &RareConfig::thresholds_m>(above_zero),
                 "clearances, m: small probabilities that displacement reaches each, at each level; "
                 "drawn quantities without bounds are drawn from wider distributions, with weights; "
                 "stands alone"},
-               {"widening", "number", fmt::format("{:g}", RareConfig{}.widening),
+               {"widening", reads<rare, &RareConfig::widening>(widening_rule),
                 "factor on the standard normal numbers of these quantities, 1 to 10"}},
       .needs = {{"a drawn quantity without bounds (normal or lognormal)",
-                 [](const TomlTable&, const StudyConfig& s) {
+                 [](auto&, auto& s) {
                    return s.samples_friction() && !unbounded_dimensions(s).empty();
                  }},
                 {"sampling.scrambles of 8 or more, which give its sampling error",
-                 [](const TomlTable&, const StudyConfig& s) {
-                   return s.sampling.scrambles >= least_scrambles;
-                 }}},
+                 [](auto&, auto& s) { return s.sampling.scrambles >= least_scrambles; }}},
       .uses = {"model.displacement", "sampling.scrambles"},
       .stands_alone = true,
       .needs_every_history = true,

@@ -18,17 +18,16 @@ bool has_one_orientation(const TomlTable&, const StudyConfig& study) {
 AnalysisInFiles SensitivityAnalysis::in_files() {
   return {
       .table = "sensitivity",
-      .read = [](const TomlTable&, StudyConfig& study) { study.sensitivity = true; },
       .keys =
-          {{"", "an empty table", "absent",
+          {{"", is_there<&StudyConfig::sensitivity>(),
             "where the spread comes from: Sobol indices of the records and of each drawn quantity; "
             "runs samples x (2 + drawn quantities) samples. Added to finished results: first order "
             "alone, needs 32 samples or more in 8 scrambles or more, or by method monte_carlo"}},
       .needs = {needs_fragility,
                 {"a quantity that is drawn",
-                 [](const TomlTable&, const StudyConfig& s) { return !drawn_factors(s).empty(); }},
+                 [](auto&, auto& s) { return !drawn_factors(s).empty(); }},
                 {"sampling.samples of 2 or more",
-                 [](const TomlTable&, const StudyConfig& s) { return s.sampling.samples >= 2; }},
+                 [](auto&, auto& s) { return s.sampling.samples >= 2; }},
                 {"one orientation of a sample (orientation.choice = \"random\" or \"as_recorded\", "
                  "one slope_axis)",
                  has_one_orientation}},

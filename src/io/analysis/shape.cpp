@@ -5,8 +5,7 @@ namespace glissade {
 
 AnalysisInFiles ShapeAnalysis::in_files() {
   return {.table = "shape",
-          .read = [](const TomlTable&, StudyConfig& study) { study.shape = true; },
-          .keys = {{"", "an empty table", "absent",
+          .keys = {{"", is_there<&StudyConfig::shape>(),
                     "whether the fragilities are lognormal and what else they could be"}},
           .needs = {needs_fragility},
           .of_any_run = true};

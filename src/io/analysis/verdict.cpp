@@ -39,8 +39,7 @@ AnalysisInFiles VerdictAnalysis::in_files() {
                 "probabilities of exceedance, falling: prescribed displacements are compared with "
                 "the first, which is accepted at S_DS; the displacement of each is found"}},
       .needs =
-          {{"[standards]",
-            [](const TomlTable& root, const StudyConfig&) { return root.has("standards"); }},
+          {{"[standards]", [](auto& root, auto&) { return root.has("standards"); }},
            {"a slope and a building period that are numbers or lists, not drawn (the conditions of "
             "the standards are on the slope, and the least favourable period counts)",
             draws_neither_slope_nor_period},

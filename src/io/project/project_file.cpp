@@ -95,23 +95,8 @@ std::vector<double> read_values(const TomlTable& table, const char* key, const N
   return values;
 }
 
-TitleBlock read_title(const TomlTable& table, Project& project) {
-  project.units = table.choice<UnitSystem>("units", unit_names()).value_or(project.units);
-  const auto text = [&](const char* key) { return table.text(key).value_or(""); };
-  return {text("name"),     text("address"), text("authority"), text("code"),
-          text("engineer"), text("licence"), text("revision"),  text("date")};
-}
-
 void read_site(const TomlTable& table, Project& project) {
   const auto has = [&](const char* key) { return table.has(key); };
-  project.site.risk = table
-                          .choice<RiskCategory>("risk_category", {{"I", RiskCategory::i},
-                                                                  {"II", RiskCategory::ii},
-                                                                  {"III", RiskCategory::iii},
-                                                                  {"IV", RiskCategory::iv}})
-                          .value_or(project.site.risk);
-  project.spectrum_file = table.text("spectrum").value_or("");
-  project.site_name = table.text("name").value_or("");
   if (!project.site_name.empty()) project.title.name += ": " + project.site_name;
   project.title.address = table.text("address").value_or(project.title.address);
   const bool is_whole = has("edition") && (has("spectrum") || (has("ss_g") && has("s1_g")) ||
@@ -327,15 +312,6 @@ std::vector<ProjectGap> read_gaps(const TomlTable& root) {
   return gaps;
 }
 
-ProjectArray read_array(const TomlTable& table) {
-  return {table.text("model").value_or(""),
-          table.text("ballast").value_or(""),
-          table.text("membrane").value_or(""),
-          table.number("centre_of_mass_m", above_zero),
-          table.number("support_spacing_m", above_zero),
-          table.number("interconnection", not_negative)};
-}
-
 void read_suite(const TomlTable& suite, Project& project) {
   project.suite = (project.file.parent_path() / suite.text("file").value_or("")).lexically_normal();
   std::error_code error;
@@ -344,52 +320,39 @@ void read_suite(const TomlTable& suite, Project& project) {
     suite.report("file", "there is no suite " + project.suite.string(),
                  "give the path of a suite file, relative to the project file (suites/README.md)");
   project.of_roof = is_there && has_roof_motions(project.suite);
-  project.roof_factor = suite.number("factor", above_zero).value_or(1.0);
   if (is_there && !project.of_roof && suite.has("factor"))
     suite.report("factor", "suite.factor is on motions of a roof, and the suite is of the ground",
                  "leave it out: the site gives the factor on ground motions");
 }
 
-void read_scaling_rule(const TomlTable& suite, Project& project) {
-  project.scaling_rule = suite.choice<ScalingRule>("scaling_rule", scaling_rule_names())
-                             .value_or(project.scaling_rule);
+void check_scaling_rule(const TomlTable& suite, const Project& project) {
   if (project.of_roof && suite.has("scaling_rule"))
     suite.report("scaling_rule", "motions of a roof are not scaled to a design spectrum",
                  "leave it out");
 }
 
 void read_rest(const TomlTable& root, Project& project) {
-  project.array = read_array(root.table("array"));
   project.hazard = read_project_hazard(root.table("hazard"), project.file.parent_path());
   if (project.hazard && project.of_roof)
     root.table("hazard").report(
         "", "[hazard] is of S_DS of the ground, and the suite has motions of the roof",
         "leave it out: how often the roof has such motions is not known");
   const TomlTable sampling = root.table("sampling"), clearance = root.table("clearance");
-  project.samples = sampling.whole("samples", 2, 1 << 20).value_or(project.samples);
   if (!std::has_single_bit(project.samples))
     sampling.report("samples", "sampling.samples is not a power of two",
                     example("sampling", "samples"));
-  project.without_target = clearance.flag("without_target").value_or(false);
   if (project.without_target && !project.building.period_s.empty() &&
       project.building.period_s.back() <= longest_scaled_period_s)
     clearance.report_idle("without_target",
                           "clearance.without_target needs a building period above 2 s");
 
-  const TomlTable clearances = root.table("clearances");
-  for (const char* key : {"similar_array_m", "obstruction_m", "parapet_edge_m", "open_edge_m"})
-    project.available_m.push_back(clearances.number(key, not_negative));
-
   project.gaps = read_gaps(root);
 
   const TomlTable standards = root.table("standards");
-  project.standard =
-      standards.choice<Standard>("compare", standard_names()).value_or(project.standard);
   project.importance =
       standards
           .number("importance", {"from 1 to 1.5", [](double x) { return x >= 1.0 && x <= 1.5; }})
           .value_or(importance_factor(project.site.risk));
-  project.peer_reviewed = standards.flag("peer_reviewed").value_or(false);
   project.round_up_m = root.table("result")
                            .number("round_up_m", above_zero)
                            .value_or(project.units == UnitSystem::si ? 0.01 : 0.5 * inch_m);
@@ -453,14 +416,20 @@ Project read_one(const fs::path& file, std::optional<std::size_t> site) {
   Project project;
   project.file = file;
   project.source_text = document.text();
+  const auto read = [&](std::initializer_list<const char*> tables) {
+    read_keys(project_tables(), tables, root, project);
+  };
+  read({"suite"});
   read_suite(root.table("suite"), project);
-  read_scaling_rule(root.table("suite"), project);
+  check_scaling_rule(root.table("suite"), project);
   require_keys(root, project.of_roof);
-  project.title = read_title(root.table("project"), project);
+  read({"project", "site"});
   read_site(root.table("site"), project);
   project.building = read_building(root.table("building"), project);
   project.slope_deg = read_slopes(root.table("roof"));
-  project.friction = read_project_friction(root.table("friction"), file.parent_path());
+  read({"friction"});
+  read_project_friction(root.table("friction"), file.parent_path(), project.friction);
+  read({"array", "sampling", "clearance", "clearances", "standards", "result"});
   read_rest(root, project);
   if (project.units == UnitSystem::us_customary)
     project.unmarked_numbers = document.unmarked_numbers();

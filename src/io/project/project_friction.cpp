@@ -71,17 +71,10 @@ void take_tests(const TomlTable& table, const fs::path& folder, ProjectFriction&
 
 }  // namespace
 
-ProjectFriction read_project_friction(const TomlTable& table, const fs::path& folder) {
-  ProjectFriction friction;
-  friction.laboratory = table.text("laboratory").value_or("");
-  friction.tested_on = table.text("tested_on").value_or("");
-  friction.test_standard = table.text("test_standard").value_or("");
-  friction.surface = table.text("surface").value_or("");
-  if (table.has("file")) {
-    take_tests(table, folder, friction);
-    return friction;
-  }
-  if (!table.has("mu")) return friction;
+void read_project_friction(const TomlTable& table, const fs::path& folder,
+                           ProjectFriction& friction) {
+  if (table.has("file")) return take_tests(table, folder, friction);
+  if (!table.has("mu")) return;
   const TomlTable mu = table.table("mu");
   explain_cov(mu);
   friction.mean = mu.required_number("mean", friction_rule);
@@ -95,7 +88,6 @@ ProjectFriction read_project_friction(const TomlTable& table, const fs::path& fo
   if (friction.source.empty())
     table.report("source", "friction.source is empty",
                  "for example: source = " + project_example_of("friction", "source"));
-  return friction;
 }
 
 }  // namespace glissade

@@ -10,6 +10,7 @@ namespace glissade {
 
 /// Of [friction] of a project: pull tests of a file, or their mean and standard deviation.
 /// @param folder of the project file
-ProjectFriction read_project_friction(const TomlTable& table, const std::filesystem::path& folder);
+void read_project_friction(const TomlTable& table, const std::filesystem::path& folder,
+                           ProjectFriction& friction);
 
 }  // namespace glissade

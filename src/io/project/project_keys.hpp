@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "study/grammar.hpp"
+#include "glissade/design/project.hpp"
+#include "study/key.hpp"
 
 namespace glissade {
 
 /// The keys of a project file, all that can be read: the example file and the hints for missing
 /// keys are made of them. `value` is an example, `usual` is `required`, `in_example` or, of a key
 /// that another one replaces or that few need, `alternative`.
+const std::vector<KeyTable<Project>>& project_tables();
 const std::vector<GrammarKey>& project_grammar();
 inline constexpr const char *required = "required", *in_example = "in the example",
                             *alternative = "alternative";

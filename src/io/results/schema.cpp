@@ -27,15 +27,15 @@ void exchange_cases(const Archive& archive, Cases& cases) {
         {p.unit, p.meaning}, [&](auto& c) -> auto& { return p.of(const_cast<Case&>(c)); });
   }
   column("roof.neighbour_slope", {"-", "where the neighbour stands, where there is one"},
-         &Case::neighbour_slope, neighbour_slope_names());
+         &Case::neighbour_slope, neighbour_slope_names);
   column("array.support", {"-", "how the array stands on the building"}, &Case::support,
-         support_names());
+         support_names);
   column("vertical.use", {"-", "whether the vertical ground motion acts"}, &Case::vertical,
-         vertical_names());
+         vertical_names);
   column("friction.value", {"-", "as drawn, or mean - 2 std"}, &Case::friction_value,
-         friction_value_names());
+         friction_value_names);
   column("slope_axis", {"-", "the array's axis along the slope"},
-         member(&Case::orientation, &Orientation::slope_axis), slope_axis_names());
+         member(&Case::orientation, &Orientation::slope_axis), slope_axis_names);
   column("ground_azimuth_deg",
          {"deg", "from the first component to the building's first axis, toward the second"},
          member(&Case::orientation, &Orientation::ground_azimuth_deg));
@@ -164,7 +164,7 @@ void exchange_rule(const Archive& archive, Spectra& spectra) {
        numbers);
   if constexpr (Archive::reads) {
     expect_fit(rule.size() == 1 && numbers.size() == 3, "scaling_rule", "scaling_range");
-    spectra.rule = value_of(scaling_rule_names(), rule.front());
+    spectra.rule = value_of(scaling_rule_names, rule.front());
     spectra.range = {numbers[0], numbers[1]};
     spectra.mean_ratio = numbers[2];
   }
@@ -259,9 +259,9 @@ void write_description(const Hdf5Writer& archive, const Results& results) {
   archive.attribute("seed", results.seed);
   archive.attribute("intensity_measure", std::string(results.measure.key()));
   archive.attribute("intensity_label", results.intensity_label);
-  archive.attribute("units", name_of(unit_names(), results.units));
-  archive.attribute("axes", name_of(axes_names(), results.axes));
-  archive.attribute("displacement", name_of(displacement_names(), results.displacement));
+  archive.attribute("units", name_of(unit_names, results.units));
+  archive.attribute("axes", name_of(axes_names, results.axes));
+  archive.attribute("displacement", name_of(displacement_names, results.displacement));
   const IntensityScale scale(results);
   list(archive, "level" + scale.suffix, {scale.unit.c_str(), "intensity levels"}, results.levels);
   list(archive, "threshold_m", {"m", "clearance thresholds"}, results.thresholds_m);

@@ -94,8 +94,8 @@ std::vector<FrictionValue> usual_friction_values(const TomlTable& root) {
 void read_analyses(const TomlTable& root, StudyConfig& study) {
   for (const AnalysisInFiles& analysis : analyses_in_files()) {
     if (!is_given(analysis, root)) continue;
-    root.table(analysis.table);
-    analysis.read(root, study);
+    read_keys(analysis.keys, root.table(analysis.table), study);
+    if (analysis.read != nullptr) analysis.read(root, study);
     const std::string table = listed({analysis.table});
     if (study.by_stripes && !analysis.of_stripes)
       root.report(analysis.table,
@@ -103,7 +103,7 @@ void read_analyses(const TomlTable& root, StudyConfig& study) {
                       " reads each record at every level, and by suite.stripes a record is run "
                       "at one level only",
                   "leave out " + table + ", or run one suite at all levels (suite.file)");
-    for (const AnalysisNeeds& need : analysis.needs) {
+    for (const StudyNeed& need : analysis.needs) {
       if (!need.is_met(root, study))
         root.report(analysis.table, table + " needs " + need.what,
                     "give it, or leave out " + table);

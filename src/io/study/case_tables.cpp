@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <bit>
-#include <limits>
 
 #include "enum_names.hpp"
 #include "study/quantity_table.hpp"
@@ -160,21 +159,7 @@ void read_building(const TomlTable& table, StudyConfig& study) {
 
 }  // namespace
 
-ModelConfig read_model(const TomlTable& table) {
-  ModelConfig model;
-  if (const auto axes = table.whole("axes", 1, 2))
-    model.axes = *axes == 1 ? SlidingAxes::one : SlidingAxes::two;
-  model.displacement = table.choice<DisplacementMeasure>("displacement", displacement_names())
-                           .value_or(model.displacement);
-  return model;
-}
-
-void read_quantities(const TomlTable& root, StudyConfig& study) {
-  for (std::size_t i = 0; i < parameters().size(); ++i) {
-    const Parameter& p = parameters()[i];
-    const TomlTable table = root.table(p.table);
-    if (auto quantity = read_quantity(table, p.key, p.range)) study.quantities[i] = *quantity;
-  }
+void check_quantities(const TomlTable& root, StudyConfig& study) {
   const TomlTable roof = root.table("roof");
   if (const auto slope = read_rise_in_12(roof)) {
     if (roof.has("slope_deg"))
@@ -182,8 +167,6 @@ void read_quantities(const TomlTable& root, StudyConfig& study) {
                   "give the slope one way");
     study.quantities.at("roof", "slope_deg") = *slope;
   }
-  study.neighbour_slope = roof.choice<NeighbourSlope>("neighbour_slope", neighbour_slope_names())
-                              .value_or(study.neighbour_slope);
   check_strength(root.table("building"), study);
   read_building(root.table("building"), study);
 }
@@ -191,7 +174,7 @@ void read_quantities(const TomlTable& root, StudyConfig& study) {
 void read_friction(const TomlTable& table, const std::vector<FrictionValue>& usual,
                    StudyConfig& study) {
   study.friction.values =
-      read_choices<FrictionValue>(table, "value", friction_value_names()).value_or(usual);
+      read_choices<FrictionValue>(table, "value", friction_value_names).value_or(usual);
   study.friction.across_is_given = table.has("across_mu");
   if (table.has("file")) {
     read_tested_friction(table, study);
@@ -210,9 +193,7 @@ void read_friction(const TomlTable& table, const std::vector<FrictionValue>& usu
     refuse_zero(table, study.quantities.at("friction", "across_mu"), "across_mu");
 }
 
-void read_support(const TomlTable& table, StudyConfig& study) {
-  study.support =
-      read_choices<ArraySupport>(table, "support", support_names()).value_or(study.support);
+void check_support(const TomlTable& table, StudyConfig& study) {
   const auto isolated = std::ranges::find(study.support, ArraySupport::isolated);
   if (isolated == study.support.end()) {
     table.report("support", table.name_of("support") + " leaves out \"isolated\"",
@@ -222,45 +203,15 @@ void read_support(const TomlTable& table, StudyConfig& study) {
   }
 }
 
-void read_vertical(const TomlTable& table, StudyConfig& study) {
-  study.vertical =
-      read_choices<VerticalChoice>(table, "use", vertical_names()).value_or(study.vertical);
-}
-
-void read_orientation(const TomlTable& table, OrientationChoice usual, StudyConfig& study) {
-  OrientationConfig& o = study.orientation;
-  o.choice = table.choice<OrientationChoice>("choice", orientation_names()).value_or(usual);
-  o.slope_axis =
-      read_choices<SlopeAxis>(table, "slope_axis", slope_axis_names()).value_or(o.slope_axis);
-  const EnumNames<SignChoice> signs = {{"positive", SignChoice::positive},
-                                       {"negative", SignChoice::negative},
-                                       {"random", SignChoice::random}};
-  o.component = table
-                    .choice<ComponentChoice>("component", {{"first", ComponentChoice::first},
-                                                           {"second", ComponentChoice::second},
-                                                           {"random", ComponentChoice::random}})
-                    .value_or(o.component);
-  o.sign = table.choice<SignChoice>("sign", signs).value_or(o.sign);
-  o.second_sign = table.choice<SignChoice>("second_sign", signs).value_or(o.second_sign);
-}
-
-SamplingConfig read_sampling(const TomlTable& table) {
-  SamplingConfig sampling;
-  sampling.method =
-      table
-          .choice<SamplingMethod>("method", {{"sobol", SamplingMethod::sobol},
-                                             {"monte_carlo", SamplingMethod::monte_carlo}})
-          .value_or(sampling.method);
-  const auto samples = table.whole("samples", 1, std::numeric_limits<std::uint32_t>::max());
-  sampling.samples = samples.value_or(sampling.samples);
-  if (sampling.method == SamplingMethod::sobol && samples && !std::has_single_bit(*samples)) {
-    table.report("samples",
-                 "sampling.samples = " + std::to_string(*samples) +
-                     " is not a power of two, as Sobol points need",
-                 "take " + std::to_string(std::bit_floor(*samples)) + " or " +
-                     std::to_string(std::bit_ceil(*samples)) + ", or method = \"monte_carlo\"");
+void check_sampling(const TomlTable& table, SamplingConfig& sampling) {
+  const std::uint64_t samples = sampling.samples;
+  if (sampling.method == SamplingMethod::sobol && !std::has_single_bit(samples)) {
+    table.report(
+        "samples",
+        fmt::format("sampling.samples = {} is not a power of two, as Sobol points need", samples),
+        fmt::format("take {} or {}, or method = \"monte_carlo\"", std::bit_floor(samples),
+                    std::bit_ceil(samples)));
   }
-  sampling.scrambles = table.whole("scrambles", 1, 1024).value_or(sampling.scrambles);
   if (sampling.samples % sampling.scrambles != 0 ||
       (sampling.method == SamplingMethod::sobol && !std::has_single_bit(sampling.scrambles)))
     table.report("scrambles",
@@ -271,10 +222,6 @@ SamplingConfig read_sampling(const TomlTable& table) {
                                    [](double x) { return x > 0.0 && x < 1.0; }};
   if (const auto error = table.number("target_error", target_rule))
     sampling.target = {*error, sampling.scrambles};
-  sampling.bootstrap_replicates =
-      static_cast<int>(table.whole("bootstrap_replicates", 100, 1000000)
-                           .value_or(static_cast<std::uint64_t>(sampling.bootstrap_replicates)));
-  return sampling;
 }
 
 }  // namespace glissade

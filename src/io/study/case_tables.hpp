@@ -8,9 +8,9 @@ namespace glissade {
 
 // What a study's cases are: every table but those of suite, intensity and analyses.
 
-ModelConfig read_model(const TomlTable& table);
-/// All rows of parameters(), but friction from a file. Needs study.model and study.file.
-void read_quantities(const TomlTable& root, StudyConfig& study);
+/// What the rows of the keys do not say of quantities: the slope as a rise in 12, the building's
+/// model and strength.
+void check_quantities(const TomlTable& root, StudyConfig& study);
 /// @param usual the values of drawn friction that the study's analyses need
 void read_friction(const TomlTable& table, const std::vector<FrictionValue>& usual,
                    StudyConfig& study);
@@ -19,10 +19,7 @@ void read_friction(const TomlTable& table, const std::vector<FrictionValue>& usu
 /// `folder` is the study file's. Leaves `friction` as it is where something is wrong, which is
 /// reported.
 void read_tested_friction(const TomlTable& table, StudyConfig& study);
-void read_support(const TomlTable& table, StudyConfig& study);
-void read_vertical(const TomlTable& table, StudyConfig& study);
-/// @param usual where [orientation] does not state the choice
-void read_orientation(const TomlTable& table, OrientationChoice usual, StudyConfig& study);
-SamplingConfig read_sampling(const TomlTable& table);
+void check_support(const TomlTable& table, StudyConfig& study);
+void check_sampling(const TomlTable& table, SamplingConfig& sampling);
 
 }  // namespace glissade

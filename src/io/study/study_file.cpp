@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <limits>
 #include <map>
 
 #include "analysis/in_files.hpp"
@@ -14,6 +13,7 @@
 #include "study/analysis_tables.hpp"
 #include "study/case_tables.hpp"
 #include "study/grammar.hpp"
+#include "study/study_keys.hpp"
 #include "study/target_table.hpp"
 #include "toml/number_list.hpp"
 
@@ -40,10 +40,7 @@ void refuse_other_keys(const TomlTable& table, IntensityMeasure measure) {
   }
 }
 
-void read_scaling_rule(const TomlTable& table, IntensityConfig& intensity) {
-  intensity.scaling_rule = table.choice<ScalingRule>("scaling_rule", scaling_rule_names())
-                               .value_or(intensity.scaling_rule);
-  intensity.to_one_and_a_half = table.flag("to_1_5_t").value_or(false);
+void check_scaling_rule(const TomlTable& table, const IntensityConfig& intensity) {
   if (!intensity.measure.is_of_design_spectrum())
     for (const char* key : {"scaling_rule", "to_1_5_t"})
       if (table.has(key))
@@ -60,8 +57,8 @@ void read_scaling_rule(const TomlTable& table, IntensityConfig& intensity) {
                  "leave it out: rules are not mixed");
 }
 
-IntensityConfig read_intensity(const TomlTable& table, const NumberRule& level_rule) {
-  IntensityConfig intensity;
+void read_intensity(const TomlTable& table, const NumberRule& level_rule,
+                    IntensityConfig& intensity) {
   std::string known;
   for (std::size_t i = 0; i < IntensityMeasure::count(); ++i)
     known += (i > 0 ? ", " : "") + std::string(IntensityMeasure::number(i).key());
@@ -75,8 +72,7 @@ IntensityConfig read_intensity(const TomlTable& table, const NumberRule& level_r
     if (name)
       table.report("measure", "intensity.measure = \"" + *name + "\" is not known",
                    "known are " + known);
-    table.ignore_unknown();
-    return intensity;
+    return table.ignore_unknown();
   }
   intensity.measure = *measure;
   if (measure == IntensityMeasure::sds_g && !intensity.levels.empty() &&
@@ -93,15 +89,9 @@ IntensityConfig read_intensity(const TomlTable& table, const NumberRule& level_r
     intensity.sa_period_s = table.required_number("sa_period_s", not_negative);
   if (is_own("avg_sa_periods_s"))
     intensity.avg_sa_periods_s = read_increasing(table, "avg_sa_periods_s", not_negative);
-  read_scaling_rule(table, intensity);
-  constexpr NumberRule longest_rule{
-      "from 2 to 30",
-      [](double x) { return x >= longest_scaled_period_s && x <= longest_possible_scaled_s; },
-      "from 0 to 2 s the suite is scaled in any case"};
-  intensity.scaled_to_s = table.number("scaled_to_s", longest_rule).value_or(intensity.scaled_to_s);
+  check_scaling_rule(table, intensity);
   if (table.has("target")) intensity.target = read_target(table.table("target"));
   refuse_other_keys(table, *measure);
-  return intensity;
 }
 
 /// One suite by `file`, several by `files`, or one for each level by `stripes`.
@@ -179,35 +169,38 @@ StudyConfig read_study(const std::filesystem::path& file, TextFiles& files) {
     throw InputError({file.string(), "is neither a study, [study], nor a project, [project]",
                       "`glissade init` writes either", ""});
   document.read_only([](const std::string& name) { return has_key(grammar(), name); });
-  const TomlTable head = root.required_table("study");
   StudyConfig study;
   study.file = file;
   study.source_text = document.text();
-  study.name = head.required_text("name");
-  study.description = head.text("description").value_or("");
-  study.seed = head.whole("seed", 0, std::numeric_limits<std::int64_t>::max()).value_or(0);
-  study.units = head.choice<UnitSystem>("units", unit_names()).value_or(study.units);
+  const auto read = [&](std::initializer_list<const char*> tables) {
+    read_keys(study_tables(), tables, root, study);
+  };
+  root.required_table("study");
+  read({"study"});
   read_suites(root.required_table("suite"), study);
   const bool fragility = root.has("fragility");
-  study.intensity =
-      read_intensity(root.required_table("intensity"), fragility ? above_zero : not_negative);
+  read({"intensity"});
+  read_intensity(root.required_table("intensity"), fragility ? above_zero : not_negative,
+                 study.intensity);
   check_stripes(root.table("suite"), study);
-  study.model = read_model(root.table("model"));
-  read_quantities(root, study);
+  read({"model", "building", "vertical", "friction", "roof"});
+  check_quantities(root, study);
   read_friction(root.required_table("friction"), usual_friction_values(root), study);
-  read_support(root.table("array"), study);
-  read_vertical(root.table("vertical"), study);
-  study.sampling = read_sampling(root.table("sampling"));
+  read({"array", "sampling"});
+  check_support(root.table("array"), study);
+  check_sampling(root.table("sampling"), study.sampling);
+  read({"orientation"});
   study.orientation.choice = OrientationChoice::as_recorded;
   // A chart and a clearance take the worst of all orientations, whatever else the study has.
   const bool is_worst = root.has("chart") || root.has("clearance");
   const bool drawn = fragility || root.has("sampling") || study.draws();
-  read_orientation(root.table("orientation"),
-                   is_worst || !drawn ? OrientationChoice::all_permutations
-                   : study.intensity.measure == IntensityMeasure::factor
-                       ? OrientationChoice::as_recorded  // with all else that is as given
-                       : OrientationChoice::random,
-                   study);
+  study.orientation.choice =
+      root.table("orientation")
+          .choice<OrientationChoice>("choice", orientation_names)
+          .value_or(is_worst || !drawn ? OrientationChoice::all_permutations
+                    : study.intensity.measure == IntensityMeasure::factor
+                        ? OrientationChoice::as_recorded  // with all else that is as given
+                        : OrientationChoice::random);
   read_analyses(root, study);
   refuse_idle_keys(root, study);
   check_size(root, study);

@@ -4,11 +4,11 @@
 #include <gmock/gmock.h>
 
 #include <algorithm>
-#include <map>
 #include <regex>
 #include <set>
 #include <sstream>
 
+#include "../../../src/io/toml/toml_table.hpp"
 #include "glissade/core/file.hpp"
 #include "glissade/core/wrap.hpp"
 #include "glissade/io/study_file.hpp"
@@ -81,75 +81,6 @@ TEST_F(Grammar, has_an_example_of_every_key_that_is_accepted) {
     EXPECT_TRUE(name.ends_with(".") || known.contains(name)) << name;
 }
 
-/// Every word that stands in quotes in the reader's sources: its keys are among them.
-std::set<std::string> words_of_the_reader() {
-  std::vector<fs::path> files = {source / "src/study/cases/parameters.cpp",
-                                 source / "src/study/intensity_measure.cpp"};
-  for (const char* folder : {"src/io/study", "src/io/analysis"}) {
-    for (const auto& entry : fs::directory_iterator(source / folder)) files.push_back(entry.path());
-  }
-  std::set<std::string> words;
-  const std::regex word(R"re("([a-z][a-z0-9_]*)")re");
-  for (const fs::path& file : files) {
-    if (file.filename() == "grammar.cpp") continue;
-    const std::string text = read_text_file(file);
-    for (auto at = std::sregex_iterator(text.begin(), text.end(), word);
-         at != std::sregex_iterator(); ++at)
-      words.insert((*at)[1]);
-  }
-  return words;
-}
-
-TEST_F(Grammar, has_every_key_that_the_reader_knows) {
-  const std::map<std::string, std::string> needed = {
-      {"study", "name = \"s\"\n"},
-      {"suite", "file = \"suite.toml\"\n"},
-      {"intensity", "measure = \"sds_g\"\nlevels = [1]\n"},
-      {"friction", "mu = 0.5\n"},
-      {"fragility", "thresholds_m = [0.3]\n"}};
-  const std::set<std::string> tables = names(true), keys = names(false),
-                              words = words_of_the_reader();
-  ASSERT_TRUE(words.contains("stop_at_largest") && words.contains("avg_sa_periods_s"));
-  // What a study with these words in a table is refused with; "" is the root.
-  const auto refusal = [&](const std::string& table, const std::set<std::string>& with) {
-    std::string keys_given, text;
-    for (const std::string& word : with) keys_given += word + " = 0\n";
-    if (table.empty()) text = keys_given;
-    for (const auto& [name, lines] : needed) {
-      if (!table.empty() || !with.contains(name))
-        text += "[" + name + "]\n" + lines + (name == table ? keys_given : "");
-    }
-    if (!table.empty() && !needed.contains(table)) text += "[" + table + "]\n" + keys_given;
-    return error(text);
-  };
-  const auto known_in = [&](const std::string& table) {
-    std::set<std::string> left = words;
-    if (needed.contains(table))
-      std::erase_if(left, [&](const std::string& word) {
-        return ("\n" + needed.at(table)).find("\n" + word + " =") != std::string::npos;
-      });
-    const std::string before = table.empty() ? " " : " " + table + ".";
-    const auto keep_known = [&](const std::string& message) {
-      std::erase_if(left, [&](const std::string& word) {
-        return message.find(before + word + " is not a known key") != std::string::npos;
-      });
-    };
-    keep_known(refusal(table, left));
-    // One at a time, where one of the others ended the reading of the table.
-    for (const std::string& word : std::set<std::string>(left)) keep_known(refusal(table, {word}));
-    return left;
-  };
-  std::size_t known = 0;
-  for (const std::string& word : known_in("")) EXPECT_TRUE(tables.contains(word)) << word;
-  for (const std::string& table : tables) {
-    for (const std::string& word : known_in(table)) {
-      EXPECT_TRUE(keys.contains(table + "." + word)) << table + "." + word;
-      ++known;
-    }
-  }
-  EXPECT_GT(known, 40u);
-}
-
 TEST_F(Grammar, has_every_key_that_can_be_read_at_all) {
   TomlDocument document(folder_.write(
       "study.toml", "[friction]\nmu = { mean = 0.5, std = 0.1, colour = 1 }\ncolour = 1\n"));
@@ -165,10 +96,7 @@ TEST_F(Grammar, has_every_key_that_can_be_read_at_all) {
                std::logic_error);
 }
 
-TEST_F(Grammar, every_key_with_a_need_is_a_key) {
-  const std::set<std::string> keys = names(false);
-  for (const KeyNeeds& n : key_needs())
-    EXPECT_TRUE(keys.contains(std::string(n.table) + "." + n.key)) << n.key;
+TEST_F(Grammar, begins_each_table_with_what_is_required) {
   EXPECT_EQ(grammar().front().name(), "study.name");
   const auto first_of = [](const std::string& table) {
     const auto all = grammar();

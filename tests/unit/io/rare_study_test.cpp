@@ -57,7 +57,7 @@ TEST_F(RareStudy, a_target_error_ends_scrambles_of_a_fragility) {
       faults(study_part + suite_part + intensity_part +
              "[friction]\nmu = 0.5\n[orientation]\nchoice = \"as_recorded\"\n" + sampling + "16\n" +
              fragility_part),
-      ElementsAre("14 sampling.samples", "15 sampling.target_error", "16 sampling.scrambles"));
+      ElementsAre("14 sampling.samples", "16 sampling.scrambles", "15 sampling.target_error"));
 }
 
 }  // namespace
