@@ -46,9 +46,9 @@ std::string report_again(const ReportOptions& o) {
   if (!o.study.empty()) write_results(out / "results.h5", results, data_tables(results));
   write_report(results, out, skips, o.overwrite);
   const fs::path run_json = out / "run.json";
-  if (is_unreported(run_json) && plan_hash_in(run_json) == results.plan_hash &&
+  if (state_in(run_json) == RunState::unreported && plan_hash_in(run_json) == results.plan_hash &&
       fs::equivalent(file, out / "results.h5")) {
-    write_text_file(run_json, reported_json(run_json));
+    put_reported(run_json);
     taken->remove_journals();
   }
   taken->give_back();

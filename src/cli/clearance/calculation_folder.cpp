@@ -80,7 +80,7 @@ void CalculationFolder::begin(
     lock_ = take_folder(path_);
     for (const char* ending : {".html", ".json", ".pdf", ".xlsx"})
       remove_file(path_ / (page_ + ending));  // earlier
-    write_begun_calculation(identity_, "started", path_);
+    write_begun_calculation(identity_, RunState::started, path_);
   });
   std::vector<char> out = path_text(path_);
   world_.broadcast(out);
@@ -137,7 +137,7 @@ void CalculationFolder::leave(int status) {
     lock_.reset();
     fs::remove(path_, ignored);  // if empty
   } else if (has_study) {
-    write_begun_calculation(identity_, "stopped", path_);
+    write_begun_calculation(identity_, RunState::stopped, path_);
   }
 }
 

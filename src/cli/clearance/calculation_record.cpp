@@ -23,11 +23,11 @@ CalculationJson record_in(const fs::path& folder) {
   return is_ours ? json : CalculationJson();
 }
 
-CalculationJson head_of_calculation(const CalculationIdentity& identity, const char* status) {
+CalculationJson head_of_calculation(const CalculationIdentity& identity, RunState state) {
   return {{"command", "clearance"},
           {"project", identity.project.string()},
           {"project_sha256", identity.project_sha256},
-          {"status", status}};
+          {"status", name_of(state)}};
 }
 
 void add_results(CalculationJson& json, const DesignClearance& design) {
@@ -141,8 +141,7 @@ void check_project_path(const fs::path& project) {
 bool is_calculation(const fs::path& folder) { return !record_in(folder).is_null(); }
 
 bool is_finished_calculation(const fs::path& folder) {
-  const CalculationJson json = record_in(folder);
-  return json.is_object() && json.value("status", CalculationJson()) == "finished";
+  return is_calculation(folder) && state_in(folder / "run.json") == RunState::finished;
 }
 
 CalculationIdentity read_calculation(const fs::path& folder) {
@@ -164,9 +163,9 @@ CalculationIdentity read_calculation(const fs::path& folder) {
   return {text("project"), text("project_sha256")};
 }
 
-void write_begun_calculation(const CalculationIdentity& identity, const char* status,
+void write_begun_calculation(const CalculationIdentity& identity, RunState state,
                              const fs::path& folder) {
-  CalculationJson json = head_of_calculation(identity, status);
+  CalculationJson json = head_of_calculation(identity, state);
   json["what_to_do"] = resume_calculation_command(folder);
   write_text_file(folder / "run.json", json_text(json));
 }
@@ -175,7 +174,7 @@ void write_finished_calculation(const CalculationIdentity& identity,
                                 const CalculationPackage& package, int ranks,
                                 const fs::path& folder) {
   write_text_file(folder / "package.json", numbers_json(package));
-  CalculationJson json = head_of_calculation(identity, "finished");
+  CalculationJson json = head_of_calculation(identity, RunState::finished);
   json["program_version"] = package.demand.program_version;
   json["build"] = package.build;
   json["finished_utc"] = now_utc();
@@ -200,7 +199,7 @@ void write_finished_sites(const CalculationIdentity& identity, const SiteSheets&
          {"largest_required_m", site.largest_required_m},
          {"verdict", site.verdict}});
   write_text_file(folder / "sites.json", json_text(numbers));
-  CalculationJson json = head_of_calculation(identity, "finished");
+  CalculationJson json = head_of_calculation(identity, RunState::finished);
   json["finished_utc"] = now_utc();
   json["ranks"] = ranks;
   write_text_file(folder / "run.json", json_text(json));
@@ -222,7 +221,7 @@ void write_finished_product(const CalculationIdentity& identity, const ProductSh
     }
   }
   write_text_file(folder / "product.json", json_text(numbers));
-  CalculationJson json = head_of_calculation(identity, "finished");
+  CalculationJson json = head_of_calculation(identity, RunState::finished);
   json["program_version"] = sheet.program_version;
   json["build"] = sheet.build;
   json["finished_utc"] = now_utc();

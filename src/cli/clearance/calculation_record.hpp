@@ -7,6 +7,7 @@
 #include "glissade/report/package.hpp"
 #include "glissade/report/product_sheet.hpp"
 #include "glissade/report/site_sheets.hpp"
+#include "run/run_record.hpp"
 
 // run.json and package.json of a calculation, in the folder above those of its two studies.
 namespace glissade::cli {
@@ -27,8 +28,8 @@ bool is_finished_calculation(const std::filesystem::path& folder);
 /// Throws InputError where none began in the folder.
 CalculationIdentity read_calculation(const std::filesystem::path& folder);
 
-/// "started", or "stopped" with what goes on with it.
-void write_begun_calculation(const CalculationIdentity& identity, const char* status,
+/// Started, or stopped, with what goes on with it.
+void write_begun_calculation(const CalculationIdentity& identity, RunState state,
                              const std::filesystem::path& folder);
 
 /// run.json, and package.json: what a program takes from the calculation, all digits, metres.

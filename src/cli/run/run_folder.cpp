@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <map>
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <utility>
 
@@ -175,12 +176,13 @@ void check_journal_is_of(const fs::path& results_file, const fs::path& folder) {
                      folder);
   }
   std::error_code ignored;
-  const bool lacks_report = is_unreported(run_json) || !fs::exists(folder / "report.html", ignored);
+  const bool lacks_report =
+      state_in(run_json) == RunState::unreported || !fs::exists(folder / "report.html", ignored);
   if (lacks_report || fs::exists(folder / "journal", ignored)) {
     const std::unique_ptr<RunLock> lock = take_folder(folder);
     if (lacks_report) {
       write_report(read_results(results_file), folder, skips_in(run_json));
-      write_text_file(run_json, reported_json(run_json));
+      put_reported(run_json);
     }
     lock->remove_journals();
   }
@@ -208,13 +210,13 @@ void check_journal_is_of(const fs::path& results_file, const fs::path& folder) {
 }  // namespace
 
 bool has_results(const fs::path& folder) {
-  return is_finished(folder / "run.json") && !fault_of_results(folder);
+  return has_results(state_in(folder / "run.json")) && !fault_of_results(folder);
 }
 
 StoppedRun take_stopped_run(const fs::path& folder, const fs::path& study) {
   check_own(folder);
   std::optional<InputError> fault;
-  if (is_finished(folder / "run.json")) {
+  if (has_results(state_in(folder / "run.json"))) {
     fault = fault_of_results(folder);
     if (!fault) end_finished(folder, study);
   }
@@ -234,9 +236,12 @@ namespace {
 void leave(const fs::path& folder) noexcept {
   try {
     const fs::path run_json = folder / "run.json";
-    if (!is_started(run_json)) return;
+    if (state_in(run_json) != RunState::started) return;
     if (has_units(folder)) {
-      write_text_file(run_json, failed_json(run_json, resume_command(folder)));
+      put_state(run_json, RunState::stopped,
+                {{"stopped_by", "an error"},
+                 {"stopped_utc", now_utc()},
+                 {"what_to_do", resume_command(folder)}});
     } else {
       std::error_code ignored;
       fs::remove(run_json, ignored);
@@ -258,9 +263,12 @@ void end_stopped(const fs::path& folder, const std::string& reason, std::uint64_
   constexpr int stopped_status = 75;  // EX_TEMPFAIL of sysexits.h: try again
   std::error_code ignored;
   fs::remove(folder / "stop", ignored);
-  const fs::path run_json = folder / "run.json";
-  write_text_file(run_json,
-                  stopped_json(run_json, reason, done_units, units, resume_command(folder)));
+  put_state(folder / "run.json", RunState::stopped,
+            {{"stopped_by", reason},
+             {"stopped_utc", now_utc()},
+             {"units_done", done_units},
+             {"units", units},
+             {"what_to_do", resume_command(folder)}});
   throw ExitStatus{stopped_status,
                    fmt::format("stopped by {}; {} of {} units are done and kept. Go on with: {}",
                                reason, done_units, units, resume_command(folder))};
@@ -275,7 +283,7 @@ Problem part_problem(const fs::path& folder, const RunIdentity& begun) {
   if (begun.part.is_all())
     return {folder.string(), "holds a whole run, not a part of one",
             "give folders of glissade run --part", ""};
-  if (!is_finished_part(folder / "run.json"))
+  if (state_in(folder / "run.json") != RunState::part_finished)
     return {folder.string(), "its part of the run is not finished",
             "go on with: " + resume_command(folder), ""};
   return {};
@@ -339,7 +347,8 @@ void check_parts(const std::vector<FinishedPart>& parts, const RunIdentity& run)
 }
 
 void end_part(const fs::path& folder, const PlanPart& part, std::uint64_t units) {
-  write_text_file(folder / "run.json", part_json(folder / "run.json", units));
+  put_state(folder / "run.json", RunState::part_finished,
+            {{"units_done", units}, {"finished_utc", now_utc()}});
   put("Part {} of {} is finished: {} units are kept in {}. When all parts are, merge them with: "
       "glissade merge FOLDERS OF THE PARTS --out DIR\n",
       part.number, part.count, units, folder.string());

@@ -35,8 +35,8 @@ std::string host_name() {
 
 using Json = nlohmann::ordered_json;
 
-constexpr const char* unreported = "results written, report missing";
-constexpr const char* part_finished = "part finished";
+constexpr std::array state_names = {
+    "", "started", "stopped", "part finished", "results written, report missing", "finished"};
 
 void add_phases(Json& json, const PhaseClock& clock) {
   for (const auto& [phase, seconds] : clock.phases()) json["seconds"][phase] = seconds;
@@ -65,7 +65,7 @@ double peak_memory_mb() {
 std::string started_json(const std::string& study_name, const std::string& plan_hash) {
   const Json json{{"study", study_name},
                   {"plan_hash", plan_hash},
-                  {"status", "started"},
+                  {"status", name_of(RunState::started)},
                   {"started_utc", now_utc()},
                   {"host", host_name()}};
   return json_text(json);
@@ -77,7 +77,7 @@ std::string run_json(const Results& results, const std::vector<Skip>& skips,
   Json json{{"study", results.study_name},
             {"plan_hash", results.plan_hash},
             {"program_version", results.program_version},
-            {"status", what_to_do.empty() ? "finished" : unreported},
+            {"status", name_of(what_to_do.empty() ? RunState::finished : RunState::unreported)},
             {"finished_utc", now_utc()},
             {"host", host_name()},
             {"ranks", ranks}};
@@ -120,78 +120,43 @@ std::string run_json(const Results& results, const std::vector<Skip>& skips,
 
 namespace {
 
-Json value_in(const std::filesystem::path& run_json_file, const char* key) {
+std::string text_in(const std::filesystem::path& run_json_file, const char* key) {
   const Json json = read_run_json(run_json_file);
-  return json.is_object() ? json.value(key, Json()) : Json();
-}
-
-Json status_in(const std::filesystem::path& run_json_file) {
-  return value_in(run_json_file, "status");
-}
-
-/// A started run.json, to which what is to be done is added.
-Json stopped(const std::filesystem::path& run_json_file, const std::string& reason) {
-  Json json = read_run_json(run_json_file);
-  json["status"] = "stopped";
-  json["stopped_by"] = reason;
-  json["stopped_utc"] = now_utc();
-  return json;
+  const Json value = json.is_object() ? json.value(key, Json()) : Json();
+  return value.is_string() ? value.get<std::string>() : "";
 }
 
 }  // namespace
 
-bool is_started(const std::filesystem::path& run_json_file) {
-  return status_in(run_json_file) == "started";
+const char* name_of(RunState state) { return state_names[static_cast<std::size_t>(state)]; }
+
+RunState state_in(const std::filesystem::path& run_json_file) {
+  const auto name = std::ranges::find(state_names, text_in(run_json_file, "status"));
+  return name == state_names.end() ? RunState::none
+                                   : static_cast<RunState>(name - state_names.begin());
 }
 
-bool is_finished(const std::filesystem::path& run_json_file) {
-  const Json status = status_in(run_json_file);
-  return status == "finished" || status == unreported;
+bool has_results(RunState state) {
+  return state == RunState::finished || state == RunState::unreported;
 }
 
-std::string stopped_json(const std::filesystem::path& run_json_file, const std::string& reason,
-                         std::uint64_t done_units, std::uint64_t units,
-                         const std::string& what_to_do) {
-  Json json = stopped(run_json_file, reason);
-  json["units_done"] = done_units;
-  json["units"] = units;
-  json["what_to_do"] = what_to_do;
-  return json_text(json);
-}
-
-std::string failed_json(const std::filesystem::path& run_json_file, const std::string& what_to_do) {
-  Json json = stopped(run_json_file, "an error");
-  json["what_to_do"] = what_to_do;
-  return json_text(json);
-}
-
-std::string part_json(const std::filesystem::path& run_json_file, std::uint64_t units) {
+void put_state(const std::filesystem::path& run_json_file, RunState state, const Json& more) {
   Json json = read_run_json(run_json_file);
-  json["status"] = part_finished;
-  json["units_done"] = units;
+  json["status"] = name_of(state);
+  json.update(more);
+  write_text_file(run_json_file, json_text(json));
+}
+
+void put_reported(const std::filesystem::path& run_json_file) {
+  Json json = read_run_json(run_json_file);
+  json["status"] = name_of(RunState::finished);
   json["finished_utc"] = now_utc();
-  return json_text(json);
-}
-
-bool is_finished_part(const std::filesystem::path& run_json_file) {
-  return status_in(run_json_file) == part_finished;
-}
-
-bool is_unreported(const std::filesystem::path& run_json_file) {
-  return status_in(run_json_file) == unreported;
+  json.erase("what_to_do");
+  write_text_file(run_json_file, json_text(json));
 }
 
 std::string plan_hash_in(const std::filesystem::path& run_json_file) {
-  const Json hash = value_in(run_json_file, "plan_hash");
-  return hash.is_string() ? hash.get<std::string>() : "";
-}
-
-std::string reported_json(const std::filesystem::path& run_json_file) {
-  Json json = read_run_json(run_json_file);
-  json["status"] = "finished";
-  json["finished_utc"] = now_utc();
-  json.erase("what_to_do");
-  return json_text(json);
+  return text_in(run_json_file, "plan_hash");
 }
 
 namespace {
@@ -222,7 +187,7 @@ std::vector<Skip> skips_in(const std::filesystem::path& run_json_file) {
   const Json json = read_run_json(run_json_file);
   if (!json.is_object()) throw refused("no JSON object {} of less than 1 MiB can be read");
   const Json skipped = json.value("skipped", Json());
-  if (skipped.is_null() && json.value("status", Json()) != "finished") return {};
+  if (skipped.is_null() && json.value("status", Json()) != name_of(RunState::finished)) return {};
   if (!skipped.is_array()) throw refused("it has no list \"skipped\": []");
   std::vector<Skip> skips;
   for (const Json& entry : skipped) skips.push_back(skip_in(entry, refused));

@@ -33,33 +33,26 @@ std::string now_utc();
 /// writes it (larger, or nested deeper).
 nlohmann::ordered_json read_run_json(const std::filesystem::path& run_json_file);
 
+/// How far a run or a calculation is.
+enum class RunState { none, started, stopped, part_finished, unreported, finished };
+/// As it stands in run.json: "started".
+const char* name_of(RunState state);
+/// What a run.json states; none where it is not there or not as a run writes it.
+RunState state_in(const std::filesystem::path& run_json_file);
+/// The results are written, and to be checked; the report may be missing.
+bool has_results(RunState state);
+/// Puts a run that began, as run.json has it, in another state, with what is to be said of that.
+void put_state(const std::filesystem::path& run_json_file, RunState state,
+               const nlohmann::ordered_json& more);
+
 /// run.json while a run is under way, or was killed: its folder is taken.
 std::string started_json(const std::string& study_name, const std::string& plan_hash);
 
-/// Whether a run.json is what started_json wrote.
-bool is_started(const std::filesystem::path& run_json_file);
+/// The report that was missing is there.
+void put_reported(const std::filesystem::path& run_json_file);
 
-/// A started run.json as it is of a run that was stopped.
-std::string stopped_json(const std::filesystem::path& run_json_file, const std::string& reason,
-                         std::uint64_t done_units, std::uint64_t units,
-                         const std::string& what_to_do);
-
-/// The same of a run that an error ended, with units in its journals.
-std::string failed_json(const std::filesystem::path& run_json_file, const std::string& what_to_do);
-
-/// A started run.json as it is where a part of a run is done.
-std::string part_json(const std::filesystem::path& run_json_file, std::uint64_t units);
-bool is_finished_part(const std::filesystem::path& run_json_file);
-
-/// Whether a run.json states that the results are written; the results are to be checked.
-bool is_finished(const std::filesystem::path& run_json_file);
-/// And that the report of them is missing.
-bool is_unreported(const std::filesystem::path& run_json_file);
 /// Empty where it states none.
 std::string plan_hash_in(const std::filesystem::path& run_json_file);
-
-/// An unreported run.json as it is once the report is there.
-std::string reported_json(const std::filesystem::path& run_json_file);
 
 /// run.json: when, where, on how many ranks, how long, and what was skipped: all that results.h5
 /// must not contain.
