@@ -50,9 +50,9 @@ std::vector<DesignCheck> clause_checks(const SuiteSpectra& spectra) {
        fmt::format("{}: {}", text.clause, text.spectrum),
        missing_factor(spectra.rule, ratios) <= 1.0 + rounding}};
   const std::size_t motions = spectra.records_g.size();
-  for (const std::string& warning : too_few_for(spectra.rule, motions))
+  if (std::string unmet = unmet_by(motions, spectra.rule); !unmet.empty())
     checks.push_back({"number of motions for the rule of scaling", fmt::format("{}", motions),
-                      warning.substr(warning.find(": ") + 2), false});
+                      std::move(unmet), false});
   return checks;
 }
 
@@ -236,10 +236,15 @@ std::string both_units(double length_m, UnitSystem units) {
   return units == UnitSystem::si ? si + " (" + us + ")" : us + " (" + si + ")";
 }
 
-std::vector<std::string> choices_of(const Project& project) {
-  std::vector<std::string> texts;
-  const auto add = [&](bool met, const std::string& text) {
-    if (met) texts.push_back(text);
+namespace {
+
+std::vector<DesignWarning> warnings_on(const Project& project) {
+  std::vector<DesignWarning> warnings;
+  const auto add = [&](bool met, const std::string& text, bool is_reservation = false) {
+    if (met) warnings.push_back({text, is_reservation});
+  };
+  const auto add_all = [&](const std::vector<std::string>& texts) {
+    for (const std::string& text : texts) warnings.push_back({text});
   };
   const bool site_7_16 = project.site.target.edition == AsceEdition::asce7_16;
   const bool by_7_16 = project.standard == Standard::asce7_16;
@@ -253,13 +258,13 @@ std::vector<std::string> choices_of(const Project& project) {
                   project.importance, to_string(project.site.risk)));
   const auto prescribed = prescribed_values(project, site_values(project.site));
   const auto standard = std::ranges::find(prescribed, project.standard, &PrescribedValue::standard);
-  add(!standard->may_be_used(), conditions_text(*standard));
+  add(!standard->may_be_used(), conditions_text(*standard), true);
   add(site_7_16 && !project.site.target.is_mapped() && project.site.target.period_s.empty() &&
           project.site.target.hazard_analysis.empty(),
       "S_DS and S_D1 are stated without S_S, S_1 and site class: whether ASCE 7-16, 11.4.8 "
       "requires a ground motion hazard analysis is not checked");
   const std::string unchecked = unchecked_spectrum(project.site);
-  add(!unchecked.empty(), unchecked);
+  add(!unchecked.empty(), unchecked, project.site.target.edition != AsceEdition::asce7_22);
   add(!project.of_roof && !project.site.states_tl && project.site.target.period_s.empty(),
       fmt::format("site.tl_s is not stated: T_L = {:g} s is assumed", project.site.target.tl_s));
   add(project.friction.mean < 2.0 * project.friction.std,
@@ -267,8 +272,7 @@ std::vector<std::string> choices_of(const Project& project) {
                   project.friction.mean - 2.0 * project.friction.std));
   const auto add_found = [&](const std::string& text) { add(!text.empty(), text); };
   if (!project.of_roof) {
-    for (std::string& text : improbable_values(project.building, project.units))
-      texts.push_back(std::move(text));
+    add_all(improbable_values(project.building, project.units));
     add_found(gaps_between(project.building.period_s));
     add_found(improbable_mass_ratio(project.building.mass_ratio.back()));
     add_found(improbable_damping(project.building.damping));
@@ -290,14 +294,20 @@ std::vector<std::string> choices_of(const Project& project) {
       fmt::format("a mean friction of {:.3g} is above {:g}: no roof is known for it",
                   project.friction.mean, most_probable_friction));
   add_found(unmarked_numbers(project.unmarked_numbers));
-  for (std::string& text : choices_of(project.friction)) texts.push_back(std::move(text));
+  add_all(choices_of(project.friction));
   if (project.hazard) {
     add_found(improbable_hazard(project));
     add_found(improbable_rates(HazardCurve(project.hazard->points)));
     add_found(improbable_design_life(project.hazard->design_life_years));
   }
   add_found(improbable_slope(project.slope_deg.front()));
-  return texts;
+  return warnings;
+}
+
+}  // namespace
+
+std::vector<std::string> choices_of(const Project& project) {
+  return texts_of(warnings_on(project));
 }
 
 const PrescribedValue& of_standard(const Project& project, const DesignClearance& design) {
@@ -425,15 +435,17 @@ std::vector<DesignCheck> checks_of(const Project& project, const Results& demand
   return checks;
 }
 
-std::vector<std::string> warnings_on(const Project& project, const Results& demand,
-                                     const DesignClearance& design) {
-  std::vector<std::string> warnings = demand.warnings;
-  std::ranges::move(choices_of(project), std::back_inserter(warnings));
+std::vector<DesignWarning> warnings_on(const Project& project, const Results& demand,
+                                       const DesignClearance& design) {
+  std::vector<DesignWarning> warnings;
+  const auto add = [&](std::string text) { warnings.push_back({std::move(text)}); };
+  std::ranges::for_each(texts_of(demand.warnings), add);
+  std::ranges::move(warnings_on(project), std::back_inserter(warnings));
   for (const DesignCheck& check : design.checks) {
-    if (!check.is_met) warnings.push_back(not_met_text(check));
+    if (!check.is_met) warnings.push_back({not_met_text(check), true});
   }
   if (const auto lifted = records_with_uplift(demand, at_mce); !lifted.empty())
-    warnings.push_back(fmt::format(
+    add(fmt::format(
         "at the MCE the array lifts off under {} of {} records ({}): the probability of exceedance "
         "at the MCE is outside the model; the required clearance is of the DBE",
         lifted.size(), demand.records.size(), fmt::join(lifted, ", ")));
@@ -441,19 +453,19 @@ std::vector<std::string> warnings_on(const Project& project, const Results& dema
     if (mu.what != bound_name(project.friction)) continue;
     const double clearance_m = required_m(project, demand, mu.value);
     if (clearance_m > design.governing_m)
-      warnings.push_back(fmt::format(
+      add(fmt::format(
           "with friction {:.3f} ({}) the required displacement, {}, is above the governing one",
           mu.value, mu.what, both_units(clearance_m, project.units)));
   }
   const bool moves = design.demand.back().largest_m > 0.0 || design.analysis_m > 0.0;
   if (project.of_roof) return warnings;
   if (moves && design.demand.size() == 1) {
-    warnings.push_back(fmt::format(
+    add(fmt::format(
         "one building period is given, {:.3g} s: at others the displacement may be larger",
         design.period_s));
   } else if (moves && (design.period_s == design.demand.front().period_s ||
                        design.period_s == design.demand.back().period_s)) {
-    warnings.push_back(fmt::format(
+    add(fmt::format(
         "the displacement is largest at an end of the range of periods, {:.3g} s: outside the "
         "range it may be larger; where the period may be outside, widen {}",
         design.period_s,

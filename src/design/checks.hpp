@@ -22,7 +22,7 @@ std::vector<DesignCheck> checks_of(const Project& project, const Results& demand
 
 /// What makes the result smaller, is improbable, is not met or is not sufficient. Expects the
 /// checks and separations of `design`.
-std::vector<std::string> warnings_on(const Project& project, const Results& demand,
-                                     const DesignClearance& design);
+std::vector<DesignWarning> warnings_on(const Project& project, const Results& demand,
+                                       const DesignClearance& design);
 
 }  // namespace glissade

@@ -249,13 +249,13 @@ void warn_of_uplift(const Project& project, const Results& probability, DesignCl
     if (intensity <= mce_over_dbe * dbe_level(project)) continue;
     const std::size_t lifted = records_with_uplift(probability, level).size();
     if (lifted == 0) continue;
-    design.warnings.push_back(fmt::format(
+    design.warnings.push_back({fmt::format(
         "from {} on the array lifts off under some records ({} of {} there), which is "
         "outside the model: probabilities and annual rates of stronger shaking are of an array "
         "without friction while lifted",
         project.of_roof ? fmt::format("a factor of {:.3g}", intensity)
                         : fmt::format("S_DS = {:.3g} g", intensity),
-        lifted, probability.records.size()));
+        lifted, probability.records.size())});
     return;
   }
 }
@@ -374,13 +374,13 @@ void add_exceedance(const Project& project, const Results& probability, DesignCl
        is_rare});
   if (!is_rare)
     design.warnings.push_back(
-        fmt::format("the governing displacement is exceeded with a probability of {:.3g} % at the "
-                    "DBE and {:.3g} % at the MCE",
-                    100.0 * at_dbe.probability, 100.0 * design.compared.front().mce.probability));
-  for (const std::string& warning : probability.warnings) {
-    if (warning.find("[shape]") != std::string::npos) continue;  // of fitted curves: none is used
-    if (std::ranges::find(design.warnings, warning) == design.warnings.end())
-      design.warnings.push_back(warning);
+        {fmt::format("the governing displacement is exceeded with a probability of {:.3g} % at the "
+                     "DBE and {:.3g} % at the MCE",
+                     100.0 * at_dbe.probability, 100.0 * design.compared.front().mce.probability)});
+  for (const auto& [text, of_fitted_curves] : probability.warnings) {
+    if (of_fitted_curves) continue;  // none is used
+    if (std::ranges::find(design.warnings, text, &DesignWarning::text) == design.warnings.end())
+      design.warnings.push_back({text});
   }
 }
 

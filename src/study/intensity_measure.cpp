@@ -152,13 +152,6 @@ std::string IntensityMeasure::definition(const IntensityConfig& c) const {
   return symbol(c) + row_of(row_).definition;
 }
 
-std::string IntensityMeasure::symbol_in(const std::string& label) const {
-  const std::string of_record = row_of(row_).definition;
-  const std::size_t end = label.rfind(" (");
-  const std::string named = label.substr(0, end);
-  return named.ends_with(of_record) ? named.substr(0, named.size() - of_record.size()) : named;
-}
-
 std::vector<double> IntensityMeasure::factors_at_unit_level(const IntensityConfig& intensity,
                                                             const Suite& suite,
                                                             const SpectraByRule& spectra) const {

@@ -112,6 +112,12 @@ struct RoofPeak {
 /// By period and alpha of the building; of motions of a roof one. `suite`: the motions of `demand`.
 std::vector<RoofPeak> roof_peaks(const Project& project, const Results& demand, const Suite& suite);
 
+/// What is possible and not probable, or to be decided by the engineer: shown before the result.
+struct DesignWarning {
+  std::string text;
+  bool is_reservation = false;  ///< one of reservations_on()
+};
+
 struct DesignClearance {
   SiteValues site;
   double slope_deg = 0.0, mass_ratio = 0.0, period_s = 0.0, alpha = 0.0;  ///< of the governing case
@@ -136,8 +142,7 @@ struct DesignClearance {
   std::vector<ExceedanceAt> exceedance;          ///< by level, those of a level by period
   std::vector<DisplacementExceedance> compared;  ///< first the governing displacement
   QuantileDisplacement accepted;  ///< that accepted_exceedance of the histories exceed
-  /// What is possible and not probable, or to be decided by the engineer: shown before the result.
-  std::vector<std::string> warnings;
+  std::vector<DesignWarning> warnings;
 };
 
 /// `demand`: the results of demand_study(), of the motions of `suite`. The rule after Walters et

@@ -70,6 +70,8 @@ RuleRatios ratios_by_rule(const SpectraByRule& spectra, const std::vector<double
 double missing_factor(ScalingRule rule, const RuleRatios& ratios);
 
 /// What the rule asks of the number of motions and is not met; empty: nothing.
+std::string unmet_by(std::size_t motions, ScalingRule rule);
+/// "6 motions: ", and that; empty likewise.
 std::vector<std::string> too_few_for(ScalingRule rule, std::size_t motions);
 
 /// A suite scaled by a rule.

@@ -34,8 +34,6 @@ class IntensityMeasure {
   std::string symbol(const IntensityConfig& intensity) const;
   /// For axes and titles: "Sa(1 s), geometric mean of both horizontals, 5 %".
   std::string definition(const IntensityConfig& intensity) const;
-  /// The symbol, from what intensity_label() makes.
-  std::string symbol_in(const std::string& label) const;
   /// One factor on each record at level 1; 0 where it depends on the roof. All
   /// of one suite.
   /// @param spectra of the suite's motions by the rule of `intensity`, of sds_g

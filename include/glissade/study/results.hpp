@@ -68,8 +68,23 @@ struct SuiteSummary {
   std::string name, description;
   std::string target;  ///< "ASCE 7-16, S_S 1.5 g, S_1 0.6 g, site class D"; empty without one
   SuiteSpectra spectra;
-  bool of_roof = false;  ///< as that of Suite
+  bool of_roof = false;             ///< as that of Suite
+  bool target_is_envelope = false;  ///< over several site classes
 };
+
+/// A sentence before the results.
+struct Warning {
+  Warning(std::string words, bool is_of_curves = false)
+      : text(std::move(words)), of_fitted_curves(is_of_curves) {}
+  std::string text;
+  bool of_fitted_curves;  ///< not of the shares of the histories
+  bool operator==(const Warning&) const = default;
+};
+std::vector<std::string> texts_of(const auto& warnings) {
+  std::vector<std::string> texts;
+  for (const auto& warning : warnings) texts.push_back(warning.text);
+  return texts;
+}
 
 /// What the analyses found, each in its own part.
 struct AnalysisResults : Analyses::InResults {
@@ -83,7 +98,8 @@ struct Results : AnalysisResults {
   std::uint64_t seed = 0;
   UnitSystem units = UnitSystem::si;  ///< what stands first in the report
   IntensityMeasure measure = IntensityMeasure::sds_g;
-  std::string intensity_label;  ///< for axes: "S_DS (g)", "Sa(1.0 s) (g)" ...
+  std::string intensity_label;   ///< for axes: "S_DS (g)", "Sa(1.0 s) (g)" ...
+  std::string intensity_symbol;  ///< in sentences: "S_DS", "Sa(1.0 s)"
   std::vector<SuiteSummary> suites;
   ModelText model;
   SlidingAxes axes = SlidingAxes::one;
@@ -95,8 +111,8 @@ struct Results : AnalysisResults {
   std::vector<double> record_periods_s;         ///< of their spectra as recorded
   HistoryTable histories;                       ///< by (record, case)
   std::optional<ReachedTarget> reached_target;  ///< with sampling.target_error
-  std::vector<std::string> warnings;            ///< shown before the results
-  std::vector<std::string> notes;               ///< remarks on the results
+  std::vector<Warning> warnings;
+  std::vector<std::string> notes;  ///< remarks on the results
   /// So many of them, the first, are of the run; the others of the analyses.
   std::size_t warnings_of_run = 0, notes_of_run = 0;
 };

@@ -92,7 +92,7 @@ std::string run_json(const Results& results, const std::vector<Skip>& skips,
   add_phases(json, clock);
   json["peak_memory_mb"]["first_rank"] = peak_memory_mb();
   if (other_ranks_mb > 0.0) json["peak_memory_mb"]["largest_of_others"] = other_ranks_mb;
-  json["warnings"] = results.warnings;
+  json["warnings"] = texts_of(results.warnings);
   for (const SuiteSummary& suite : results.suites)
     json["design_target"][suite.name] = suite.target.empty() ? Json() : Json(suite.target);
   if (results.reached_target) {

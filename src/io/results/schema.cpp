@@ -198,6 +198,8 @@ void exchange_suites(const Archive& archive, const IntensityScale& scale, Suites
   column("target", {"-", "edition, site and class of its design spectrum; empty without one"},
          &SuiteSummary::target);
   column("of_roof", {"-", "1: motions of a roof, used without a building"}, &SuiteSummary::of_roof);
+  column("target_is_envelope", {"-", "1: of the spectra of several site classes"},
+         &SuiteSummary::target_is_envelope);
   for (std::size_t i = 0; i < suites.size(); ++i) {
     const auto group = archive.group("spectra_" + std::to_string(i));
     group.attribute("reference_level" + scale.suffix, suites[i].spectra.reference_level);
@@ -238,8 +240,10 @@ void exchange_data_files(const Archive& archive, Files& files) {
 /// Reading, those of the run alone: the others are those of the analyses.
 template <class Archive, class R>
 void exchange_remarks(const Archive& archive, R& results) {
-  list(archive, "warning", {"-", "what is possible and not probable, or not for design"},
-       results.warnings);
+  std::vector<std::string> warnings;
+  if constexpr (!Archive::reads) warnings = texts_of(results.warnings);
+  list(archive, "warning", {"-", "what is possible and not probable, or not for design"}, warnings);
+  if constexpr (Archive::reads) results.warnings.assign(warnings.begin(), warnings.end());
   list(archive, "note", {"-", "remarks on the results"}, results.notes);
   std::vector<std::uint64_t> counts{results.warnings_of_run, results.notes_of_run};
   list(archive, "remarks_of_run",

@@ -178,19 +178,19 @@ std::vector<double> periods_by_rule_s(ScalingRule rule, const FirstPeriods& buil
                                            : periods_over(period_range(rule, building));
 }
 
-std::vector<std::string> too_few_for(ScalingRule rule, std::size_t motions) {
+std::string unmet_by(std::size_t motions, ScalingRule rule) {
   if (is_of_16_2(rule) && motions < 11)
-    return {fmt::format("{} motions: {}, 16.2.2 (recalled: verify) requires 11 at least", motions,
-                        text_of(rule).name)};
-  if (rule == ScalingRule::asce7_10 && motions < 3)
-    return {fmt::format("{} motions: ASCE 7-10, 16.1.3 (recalled: verify) requires 3 at least",
-                        motions)};
-  if (rule == ScalingRule::asce7_10 && motions < 7)
-    return {
-        fmt::format("{} motions: with fewer than 7, ASCE 7-10, 16.1.4 (recalled: verify) takes the "
-                    "largest response, not the average",
-                    motions)};
-  return {};
+    return fmt::format("{}, 16.2.2 (recalled: verify) requires 11 at least", text_of(rule).name);
+  if (rule != ScalingRule::asce7_10 || motions >= 7) return "";
+  return motions < 3 ? "ASCE 7-10, 16.1.3 (recalled: verify) requires 3 at least"
+                     : "with fewer than 7, ASCE 7-10, 16.1.4 (recalled: verify) takes the largest "
+                       "response, not the average";
+}
+
+std::vector<std::string> too_few_for(ScalingRule rule, std::size_t motions) {
+  const std::string unmet = unmet_by(motions, rule);
+  if (unmet.empty()) return {};
+  return {fmt::format("{} motions: {}", motions, unmet)};
 }
 
 RuleRatios ratios_by_rule(const SpectraByRule& spectra, const std::vector<double>& factors,

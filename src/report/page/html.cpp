@@ -53,7 +53,7 @@ Html analyses_html(const Results& results) {
 Html warnings_html(const Results& results) {
   return results.warnings.empty() ? Html()
                                   : "<div class=\"warning\">\n" + heading("Warnings") +
-                                        list(results.warnings) + "</div>\n";
+                                        list(texts_of(results.warnings)) + "</div>\n";
 }
 
 std::string what_was_run(const Results& results) {

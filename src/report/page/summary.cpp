@@ -27,7 +27,7 @@ std::string summary_text(const Results& results, const std::vector<Skip>& skips)
       levels_of_each(results)));
   if (const std::vector<std::string> answers = answer_sentences(results); !answers.empty())
     text += line(answers.front());
-  for (const std::string& warning : results.warnings) text += line("WARNING: " + warning);
+  for (const Warning& warning : results.warnings) text += line("WARNING: " + warning.text);
   text += "\n" + line("Model: " + results.model.kernel) +
           line("Orientation: " + describe(orientation_choice(results.cases)));
   if (const std::string target = target_text(results); !target.empty())

@@ -72,7 +72,7 @@ SheetTarget sheet_target(const Product& product, const ProductTarget& target,
           suite.name + (suite.description.empty() ? "" : ": " + suite.description),
           results.model.kernel,
           results.plan_hash,
-          results.warnings};
+          texts_of(results.warnings)};
 }
 
 std::string sheet_screen(const ProductSheet& sheet) {

@@ -50,8 +50,8 @@ std::string with_unit(const Results& results, const std::string& value) {
 
 std::string at_intensity(const Results& results, double value) {
   const std::string name = earthquake_name(value, results.model.dbe_level);
-  return results.measure.symbol_in(results.intensity_label) + " = " +
-         with_unit(results, level_number(value)) + (name.empty() ? "" : " (" + name + ")");
+  return results.intensity_symbol + " = " + with_unit(results, level_number(value)) +
+         (name.empty() ? "" : " (" + name + ")");
 }
 
 std::string level_number(double level) {
@@ -89,7 +89,7 @@ Column listed_column(const CaseAxis& axis) {
 
 Column listed_column(const char* table, const char* key) {
   return listed_column(
-      {std::string(table) + "." + key, parameters()[parameter_index(table, key)].unit, {}, {}});
+      {std::string(table) + "." + key, parameters()[parameter_index(table, key)].unit, {}, {}, {}});
 }
 
 bool lists_more_than_friction_value(const Results& results) {

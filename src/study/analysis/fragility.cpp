@@ -216,8 +216,8 @@ std::vector<std::string> FragilityAnalysis::plan_notes(const Plan& plan) {
 }
 
 /// Fragilities that are not lognormal.
-std::vector<std::string> FragilityAnalysis::warnings(const Results& results,
-                                                     const StudyConfig& study) {
+std::vector<std::string> FragilityAnalysis::warnings_of_curves(const Results& results,
+                                                               const StudyConfig& study) {
   std::size_t fitted = 0, refused = 0;
   const ThresholdFragility* worst = nullptr;
   const RunResults* worst_run = nullptr;

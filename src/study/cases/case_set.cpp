@@ -28,12 +28,14 @@ struct ListedQuantity {
 
 template <class E>
 void add_choices(std::vector<ListedQuantity>& axes, const char* key, const std::vector<E>& choices,
-                 const std::vector<std::string>& names, E Case::*member) {
-  ListedQuantity axis{{key, "-", {}, {}},
+                 const std::vector<std::string>& names, const std::vector<std::string>& described,
+                 E Case::*member) {
+  ListedQuantity axis{{key, "-", {}, {}, {}},
                       [choices, member](Case& c, std::size_t i) { c.*member = choices[i]; }};
   for (const E choice : choices) {
     axis.axis.values.push_back(static_cast<double>(choice));
     axis.axis.names.push_back(names[static_cast<std::size_t>(choice)]);
+    axis.axis.described.push_back(described[static_cast<std::size_t>(choice)]);
   }
   axes.push_back(std::move(axis));
 }
@@ -49,17 +51,19 @@ std::vector<ListedQuantity> axes_of(const StudyConfig& config) {
   std::vector<ListedQuantity> axes;
   std::vector<FrictionValue> friction{FrictionValue::as_drawn};
   if (friction_is_drawn(config)) friction = config.friction.values;
-  add_choices(axes, "friction.value", friction, {"sampled", "design"}, &Case::friction_value);
+  add_choices(axes, "friction.value", friction, {"sampled", "design"},
+              {"sampled friction", "design friction"}, &Case::friction_value);
   add_choices(axes, "array.support", config.support, {"isolated", "anchored", "no_array"},
-              &Case::support);
+              {"isolated array", "anchored array", "no array"}, &Case::support);
   add_choices(axes, "vertical.use", config.vertical, {"none", "if_available", "required"},
+              {"vertical motion none", "vertical motion if available", "vertical motion required"},
               &Case::vertical);
   for (std::size_t i = 0; i < parameters().size(); ++i) {
     const Parameter& p = parameters()[i];
     const Quantity& quantity = config.quantities[i];
     if (quantity.is_drawn()) continue;
     axes.push_back(
-        {{std::string(p.table) + "." + p.key, p.unit, quantity.values, {}},
+        {{std::string(p.table) + "." + p.key, p.unit, quantity.values, {}, {}},
          [&p, values = quantity.values](Case& c, std::size_t k) { p.of(c) = values[k]; }});
   }
   return axes;
@@ -180,12 +184,8 @@ std::string CaseAxis::words() const {
 }
 
 std::string CaseAxis::describe(std::size_t i) const {
-  if (names.empty())
-    return words() + " " + short_text(values, i, 3) + (unit == "-" ? "" : " " + unit);
-  std::string name = names[i];
-  std::ranges::replace(name, '_', ' ');
-  if (name.starts_with("no ")) return name;
-  return key == "vertical.use" ? words() + " " + name : name + " " + words();
+  if (!described.empty()) return described[i];
+  return words() + " " + short_text(values, i, 3) + (unit == "-" ? "" : " " + unit);
 }
 
 std::string CaseGrid::describe(std::size_t combination, const std::string& without) const {

@@ -78,13 +78,15 @@ std::string to_string(const Orientation& o, bool two_axes) {
     return fmt::format("{}, azimuth {:g} deg{}", slope, o.ground_azimuth_deg,
                        two_axes && o.across_sign < 0 ? ", across mirrored" : "");
   }
-  const char* names[] = {"first", "second"};
-  const SignedComponent along = along_axis(o, 0), across = along_axis(o, 1);
-  const auto signed_name = [&](const SignedComponent& c) {
-    return (c.sign > 0 ? '+' : '-') + std::string(names[c.component]);
+  return slope + ", along it " + components_text(o, two_axes);
+}
+
+std::string components_text(const Orientation& o, bool two_axes) {
+  const auto signed_name = [&](int axis) {
+    const SignedComponent c = along_axis(o, axis);
+    return std::string(c.sign > 0 ? "+" : "-") + (c.component == 0 ? "first" : "second");
   };
-  const std::string text = slope + ", along it " + signed_name(along);
-  return two_axes ? text + ", across " + signed_name(across) : text;
+  return two_axes ? signed_name(0) + ", across " + signed_name(1) : signed_name(0);
 }
 
 }  // namespace glissade

@@ -153,7 +153,7 @@ void list_cases(Plan& plan) {
   plan.warnings_of_run = plan.warnings.size();
   plan.notes_of_run = plan.notes.size();
   const Remarks of_analyses = remarks_on_analyses(plan);
-  std::ranges::copy(of_analyses.warnings, std::back_inserter(plan.warnings));
+  std::ranges::move(texts_of(of_analyses.warnings), std::back_inserter(plan.warnings));
   std::ranges::copy(of_analyses.notes, std::back_inserter(plan.notes));
   plan.skips = skips_of(plan);
 }

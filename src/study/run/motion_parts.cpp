@@ -199,7 +199,8 @@ SuiteSummary suite_of(const Plan& plan, std::size_t suite, const std::vector<dou
     spectra.records_g.push_back(std::move(srss));
   }
   std::string target_name;
-  if (const DesignTarget* design = plan.target_of(suite); design != nullptr) {
+  const DesignTarget* design = plan.target_of(suite);
+  if (design != nullptr) {
     target_name = to_string(*design);
     const auto target = shown_target(plan, suite);
     for (const double period : spectra.periods_s) spectra.target_g.push_back(target(period));
@@ -211,7 +212,9 @@ SuiteSummary suite_of(const Plan& plan, std::size_t suite, const std::vector<dou
     if (!ratios.empty()) spectra.mean_ratio = ratios[4];
   }
   const Suite& of = plan.suites[suite];
-  return {of.name, of.description, target_name, std::move(spectra), of.of_roof};
+  return {of.name,     of.description,
+          target_name, std::move(spectra),
+          of.of_roof,  design != nullptr && design->is_mapped() && design->site_classes.size() > 1};
 }
 
 }  // namespace

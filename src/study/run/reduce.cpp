@@ -50,24 +50,25 @@ void analyse(AnalysisList<Analysis...>, const StudyConfig& study, Results& resul
 }
 
 /// Each once.
-void append(const std::vector<std::string>& some, std::vector<std::string>& all) {
-  for (const std::string& text : some)
-    if (std::ranges::find(all, text) == all.end()) all.push_back(text);
+template <class T>
+void append(const std::vector<T>& some, std::vector<T>& all) {
+  for (const T& one : some)
+    if (std::ranges::find(all, one) == all.end()) all.push_back(one);
 }
 
 /// What the analyses say, in place of what they said.
 void add_remarks_on_analyses(const StudyConfig& study, Results& results) {
   const Remarks remarks = remarks_on_analyses(results, study);
-  results.warnings.resize(results.warnings_of_run);
+  results.warnings.resize(results.warnings_of_run, Warning(""));
   results.notes.resize(results.notes_of_run);
   append(remarks.warnings, results.warnings);
   append(remarks.notes, results.notes);
 }
 
 void add_remarks(const Plan& plan, Results& results) {
-  results.warnings = plan.warnings;
+  results.warnings.assign(plan.warnings.begin(), plan.warnings.end());
   results.notes = plan.notes;
-  results.warnings.resize(plan.warnings_of_run);
+  results.warnings.resize(plan.warnings_of_run, Warning(""));
   results.notes.resize(plan.notes_of_run);
   const Remarks of_run = remarks_on_run(results, plan.config);
   append(of_run.warnings, results.warnings);
@@ -105,6 +106,7 @@ void put_study(const StudyConfig& study, Results& results) {
   results.seed = study.seed;
   results.measure = study.intensity.measure;
   results.intensity_label = intensity_label(study.intensity);
+  results.intensity_symbol = study.intensity.measure.symbol(study.intensity);
   results.axes = study.model.axes;
   results.displacement = study.model.displacement;
   results.levels = study.intensity.levels;

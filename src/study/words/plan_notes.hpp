@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "glissade/study/plan/plan.hpp"
+#include "glissade/study/results.hpp"
 
 namespace glissade {
 
@@ -24,7 +25,8 @@ double mce_level(IntensityMeasure measure, double dbe_level, bool has_target);
 
 /// Sentences that stand beside the results.
 struct Remarks {
-  std::vector<std::string> warnings, notes;
+  std::vector<Warning> warnings;
+  std::vector<std::string> notes;
 };
 /// Of the analyses that can be added to finished results, before they find anything.
 Remarks remarks_on(const StudyOutline& study);

@@ -116,7 +116,7 @@ void note_suite(const SuiteSummary& suite, const IntensityConfig& intensity,
 
 /// A record that is more than half of the average to which the suite is scaled: the others are then
 /// far below the target.
-void warn_of_dominance(const Results& results, std::vector<std::string>& warnings) {
+void warn_of_dominance(const Results& results, std::vector<Warning>& warnings) {
   constexpr double most_share = 0.5;
   constexpr std::size_t least_records = 4;
   std::size_t first = 0;
@@ -129,7 +129,7 @@ void warn_of_dominance(const Results& results, std::vector<std::string>& warning
         share += spectra.records_g[i][p] / spectra.average_g[p];
       share /= static_cast<double>(records * spectra.periods_s.size());
       if (share > most_share)
-        warnings.push_back(fmt::format(
+        warnings.emplace_back(fmt::format(
             "record {} is {:.0f} % of the suite's average spectrum, the other {} records the rest: "
             "check its scale and units",
             results.records[first + i].id, 100.0 * share, records - 1));
@@ -161,6 +161,9 @@ Remarks remarks_on_analyses(const Results& results, const StudyConfig& config) {
   for_each_analysis(Analyses(), [&](auto analysis) {
     if constexpr (requires { analysis.warnings(results, config); })
       std::ranges::move(analysis.warnings(results, config), std::back_inserter(remarks.warnings));
+    if constexpr (requires { analysis.warnings_of_curves(results, config); })
+      for (std::string& text : analysis.warnings_of_curves(results, config))
+        remarks.warnings.emplace_back(std::move(text), true);
     if constexpr (requires { analysis.notes(results, config); })
       std::ranges::move(analysis.notes(results, config), std::back_inserter(remarks.notes));
   });

@@ -90,7 +90,7 @@ TEST(hostile_names, are_text_in_scripts_and_pages) {
     fs::remove_all(folder);
     Results results = made_up_results();
     results.study_name = results.suites[0].name = results.suites[0].description = name;
-    results.intensity_label = name + " (g)";
+    results.intensity_label = results.intensity_symbol = name;
     results.runs[0].label = name;  // the main run's figures are not named by it
     results.runs.resize(1);
     results.runs[0].friction_description = name;

@@ -328,6 +328,7 @@ Results made_up_one_record_chart() {
   results.levels = steps(0, 15, 0.1);
   results.measure = IntensityMeasure::ppa_g;
   results.intensity_label = "PPA (g)";
+  results.intensity_symbol = "PPA";
   Chart& chart = *results.chart;
   chart.points.clear();
   chart.standards.clear();
@@ -372,9 +373,14 @@ Results made_up_results() {
   results.seed = 20260101;
   results.measure = IntensityMeasure::sds_g;
   results.intensity_label = "S_DS (g)";
+  results.intensity_symbol = "S_DS";
   for (int l = 1; l <= 20; ++l) results.levels.push_back(l / 10.0);
   results.thresholds_m = {0.15, 0.3, 0.6, 1.2};
-  results.cases.axes = {{"friction.value", "-", {0.0, 1.0}, {"sampled", "design"}}};
+  results.cases.axes = {{"friction.value",
+                         "-",
+                         {0.0, 1.0},
+                         {"sampled", "design"},
+                         {"sampled friction", "design friction"}}};
   results.cases.samples = samples;
   for (const FrictionValue value : {FrictionValue::as_drawn, FrictionValue::design}) {
     for (std::size_t j = 0; j < samples; ++j) {

@@ -28,7 +28,7 @@ TEST(summary, reports_fragilities_standards_skips_and_notes_in_ascii) {
 
 TEST(summary, begins_with_the_answer_then_warnings_then_evidence) {
   Results results = made_up_results();
-  results.warnings = {"look out"};
+  results.warnings.emplace_back("look out");
   const std::string text = summary_text(results),
                     answer = answer_sentences(results).front().substr(0, 20);
   EXPECT_LT(text.find(answer), text.find("WARNING: look out"));

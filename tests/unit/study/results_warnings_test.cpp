@@ -11,9 +11,9 @@ namespace {
 using test::states;
 
 std::vector<std::string> warnings_on(const Results& r, const StudyConfig& config) {
-  std::vector<std::string> warnings = remarks_on_run(r, config).warnings;
-  for (std::string& text : remarks_on_analyses(r, config).warnings)
-    warnings.push_back(std::move(text));
+  std::vector<std::string> warnings = texts_of(remarks_on_run(r, config).warnings);
+  std::ranges::move(texts_of(remarks_on_analyses(r, config).warnings),
+                    std::back_inserter(warnings));
   return warnings;
 }
 

@@ -112,10 +112,11 @@ TEST(sampling_target, that_is_not_reached_is_a_warning_beside_all_samples) {
   ASSERT_EQ(units.size(), plan.units.size());
   const Results results = reduce(first_blocks(plan, units.size()), units);
   EXPECT_FALSE(results.reached_target->is_reached());
-  EXPECT_THAT(results.warnings, testing::Contains(testing::HasSubstr("target_error = 0.0001")));
+  EXPECT_THAT(texts_of(results.warnings),
+              testing::Contains(testing::HasSubstr("target_error = 0.0001")));
 
   config.sampling.target->error = 0.5;
-  EXPECT_THAT(test::run(small_plan(config)).warnings,
+  EXPECT_THAT(texts_of(test::run(small_plan(config)).warnings),
               testing::Not(testing::Contains(testing::HasSubstr("target_error"))));
 }
 

@@ -76,7 +76,8 @@ struct FragilityAnalysis {
   static std::vector<RunResults> find(const StudyConfig& study, const Results& results);
   static std::vector<std::string> plan_warnings(const Plan& plan);
   static std::vector<std::string> plan_notes(const Plan& plan);
-  static std::vector<std::string> warnings(const Results& results, const StudyConfig& study);
+  static std::vector<std::string> warnings_of_curves(const Results& results,
+                                                     const StudyConfig& study);
   static AnalysisInFiles in_files();
   static AnalysisReport in_report();
 };

@@ -23,6 +23,7 @@ struct CaseAxis {
   std::vector<double> values;
   std::vector<std::string>
       names;  ///< of values that are choices: "sampled", "anchored"; else empty
+  std::vector<std::string> described;  ///< of these: "design friction", "no array"
 
   std::size_t size() const { return values.size(); }
   std::string words() const;                  ///< "building period", "array"

@@ -58,5 +58,7 @@ std::string describe(OrientationChoice choice);
 /// "slope E-W, along it + first, across + second", "slope N-S, azimuth 22.5 deg"
 std::string to_string(const Orientation& orientation, bool two_axes = true);
 std::string to_string(SlopeAxis axis);  ///< "E-W"
+/// Of a quarter turn: "+first, across +second".
+std::string components_text(const Orientation& orientation, bool two_axes);
 
 }  // namespace glissade

@@ -25,11 +25,10 @@ Figure suite_figure(const Results& results) {
           ? results.conditions->grid.level_symbol + " = " + level_number(spectra.reference_level)
       : suite.target.empty() ? "as given"
                              : "scaled to MCE";
-  const bool of_classes = suite.target.find("site classes") != std::string::npos;
   return spectra_figure(
-      suite.spectra,
-      {suite.name, as_scaled,
-       of_classes ? "target spectrum, envelope over the site classes" : "target spectrum"});
+      suite.spectra, {suite.name, as_scaled,
+                      suite.target_is_envelope ? "target spectrum, envelope over the site classes"
+                                               : "target spectrum"});
 }
 
 std::string after_walters(const Results& results, int figure, const std::string& more = "") {

@@ -14,12 +14,9 @@ namespace {
 
 /// "falls E-W: down the slope +first, across -second".
 std::string line_label(const Results& results, const Orientation& orientation) {
-  std::string text = orientation_text(results, orientation);
-  const std::string along = ", along it ", slope = "slope ";
-  const std::size_t at = text.find(along);
-  if (at == std::string::npos || !text.starts_with(slope)) return text;
-  text.replace(at, along.size(), ": down the slope ");
-  return "falls " + text.substr(slope.size());
+  if (!orientation.is_quarter_turn()) return orientation_text(results, orientation);
+  return fmt::format("falls {}: down the slope {}", to_string(orientation.slope_axis),
+                     components_text(orientation, slides_on_two_axes(results)));
 }
 
 /// The distinct orientations, a line each over the period.

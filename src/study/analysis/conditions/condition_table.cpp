@@ -85,7 +85,7 @@ ConditionGrid grid_of(const Results& results, const GridAxes& axes) {
   grid.slope_deg = values_on(set, axes.slope, only_value(set, &Case::slope_deg));
   grid.level = results.levels;
   if (results.measure != IntensityMeasure::mce_fraction)
-    grid.level_symbol = results.measure.symbol_in(results.intensity_label);
+    grid.level_symbol = results.intensity_symbol;
   grid.dbe_level =
       results.measure == IntensityMeasure::mce_fraction ? 2.0 / 3 : results.model.dbe_level;
   grid.level_unit = results.measure.unit();
