@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 
+#include "coverage_share.hpp"
 #include "glissade/core/finite.hpp"
 #include "glissade/core/random.hpp"
 #include "glissade/fragility/fit.hpp"
@@ -79,18 +80,6 @@ FitSummary fit_of(const Design& design, std::size_t records, std::uint64_t seed)
                                        : fit_brackets(capacities, Independent::records);
 }
 
-/// Of the sets that have an interval.
-struct Share {
-  int covered = 0, count = 0;
-
-  void add(const Interval& interval, double truth) {
-    if (std::isnan(interval.low)) return;
-    ++count;
-    covered += interval.low <= truth && truth <= interval.high;
-  }
-  double value() const { return covered / static_cast<double>(count); }
-};
-
 }  // namespace
 
 void CoverageCases::add(const CoverageRow& row) {
@@ -126,7 +115,7 @@ void add_coverage_of_fits(CoverageCases& cases) {
   for (const Design& design : designs) {
     for (const std::size_t records : {7, 20, 44}) {
       if (design.kind == Design::weighted && records == 7) continue;
-      Share median, log_std;
+      test::CoverageShare median, log_std;
       for (std::uint64_t i = 0; i < sets; ++i) {
         const FitSummary fit = fit_of(design, records, 700000 + i);
         if (!fit.converged()) continue;

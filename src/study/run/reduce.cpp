@@ -59,16 +59,16 @@ void append(const std::vector<T>& some, std::vector<T>& all) {
 /// What the analyses say, in place of what they said.
 void add_remarks_on_analyses(const StudyConfig& study, Results& results) {
   const Remarks remarks = remarks_on_analyses(results, study);
-  results.warnings.resize(results.warnings_of_run, Warning(""));
+  results.warnings.erase(results.warnings.begin() + results.warnings_of_run,
+                         results.warnings.end());
   results.notes.resize(results.notes_of_run);
   append(remarks.warnings, results.warnings);
   append(remarks.notes, results.notes);
 }
 
 void add_remarks(const Plan& plan, Results& results) {
-  results.warnings.assign(plan.warnings.begin(), plan.warnings.end());
+  results.warnings.assign(plan.warnings.begin(), plan.warnings.begin() + plan.warnings_of_run);
   results.notes = plan.notes;
-  results.warnings.resize(plan.warnings_of_run, Warning(""));
   results.notes.resize(plan.notes_of_run);
   const Remarks of_run = remarks_on_run(results, plan.config);
   append(of_run.warnings, results.warnings);

@@ -27,15 +27,15 @@ std::vector<double> without_largest(std::vector<double> x) {
   return x;
 }
 
-constexpr int few_scenes = test::slowdown == 1 ? 4 : 1, scenes_of_a_roof = 25 / test::slowdown;
+constexpr int scenes_of_a_roof = 25 / test::slowdown;
 constexpr double largest_median = test::slowdown == 1 ? 3e-7 : 6e-7;  // of few scenes it scatters
 
 /// Of the scenes on each of four roofs, those that slide more than 10 um.
-Errors errors_of(Law law, int scenes = scenes_of_a_roof) {
+Errors errors_of(Law law) {
   Errors errors;
   std::mt19937 random(2026);
   for (const test::Roof roof : test::all_roofs)
-    for (int k = 0; k < scenes; ++k) {
+    for (int k = 0; k < scenes_of_a_roof; ++k) {
       const test::OnBuilding scene = test::truth_scene(random, roof, law, 100);
       const test::TwoAxisTruth truth(test::as_truth(scene), 1e-9);
       if (truth.peak_m < 1e-5L) continue;
@@ -69,7 +69,7 @@ TEST(default_tolerance, keeps_the_error_that_the_headers_state) {
 // resolves to some parts in 10^4 of the slip. It was off by 3 % at any tolerance: Newton's method
 // for the friction of a stage went to and fro, and the block rested through whole intervals.
 TEST(default_tolerance, of_friction_that_rises_at_once) {
-  const std::vector<double> errors = errors_of(Law::rising_at_once, few_scenes).scalar;
+  const std::vector<double> errors = errors_of(Law::rising_at_once).scalar;
   EXPECT_LE(median(errors), 1e-5);
   EXPECT_LE(largest(errors), 3e-4);
 }

@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "coverage_share.hpp"
 #include "glissade/core/error.hpp"
 #include "glissade/core/random.hpp"
 
@@ -79,28 +80,18 @@ std::vector<CloudPoint> of_single_motions(int records, std::uint64_t item) {
   return points;
 }
 
-struct Share {
-  int covered = 0, count = 0;
-  void add(const Interval& interval, double truth) {
-    if (std::isnan(interval.low)) return;
-    ++count;
-    covered += interval.low <= truth && truth <= interval.high;
-  }
-  double value() const { return covered / static_cast<double>(count); }
-};
-
 // 400 data sets: at 95 % a share below 0.91 has probability 5e-4; before intervals were by records
 // that slip, 7 records gave 0.79 and 0.70, and 20 records 0.90 and 0.85.
 TEST(fit_cloud, covers_with_few_records_of_one_motion) {
   for (const int records : {7, 20}) {
-    Share slope, log_std, p50;
+    test::CoverageShare slope, log_std, p50;
     for (std::uint64_t item = 0; item < 400; ++item) {
       const CloudSummary fit = fit_cloud(of_single_motions(records, 1000 + item), {0.1});
       slope.add(fit.slope_interval, 2.0);
       log_std.add(fit.log_std_interval, 0.5);
       p50.add(fit.medians[0].p50_interval, 0.6802021);
     }
-    for (const Share& share : {slope, log_std, p50}) {
+    for (const test::CoverageShare& share : {slope, log_std, p50}) {
       EXPECT_GE(share.value(), 0.91) << records;
       EXPECT_LE(share.value(), records == 7 ? 1.0 : 0.99) << records;
     }
