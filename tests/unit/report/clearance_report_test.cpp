@@ -11,36 +11,80 @@
 #include "glissade/report/base_shear_report.hpp"
 #include "glissade/report/format.hpp"
 #include "glissade/report/tables.hpp"
+#include "unit/study/by_rule.hpp"
 
 namespace glissade {
 namespace {
 
+using test::fixed;
+using test::HistoryPlace;
+using test::HistoryRule;
+using test::listed;
 using test::states;
 using testing::ElementsAre;
 using testing::Not;
 
 constexpr double inch = 0.0254;
 
-/// What is found of the conditions that there are now.
 void analyse(Results& r, OrientationRule rule = OrientationRule::median) {
-  r.conditions->first_case.assign(r.conditions->grid.count(), 0);
+  r.conditions = condition_table(r);
   r.clearance = required_clearance(r, {.orientation = rule});
 }
 
-/// Two records in four orientations at two periods, of an isolated and an anchored array; all
-/// numbers from two rules that can be followed by hand: a displacement of (o + 1)(p + 1) inches for
-/// record a and three times that for b, so a mean of 2 (o + 1)(p + 1) inches.
-Results made_up() {
-  Results r;
-  r.conditions.emplace();
-  r.study_name = "made <up>";
-  r.study_text = "[clearance]";
-  r.conditions->grid.support = {ArraySupport::isolated, ArraySupport::anchored};
-  r.conditions->grid.slope_deg = {1.2};
-  r.conditions->grid.period_s = {0.2, 1.0};
-  for (const double azimuth : {0.0, 180.0, 90.0, 270.0})
-    r.conditions->orientations.push_back({SlopeAxis::e_w, azimuth, 1});
-  r.conditions->same_as = {0, 1, 2, 3};
+/// One axis, four orientations, two periods; the array isolated.
+StudyConfig study_of_periods() {
+  StudyConfig study;
+  study.name = "made <up>";
+  study.source_text = "[clearance]";
+  study.model.axes = SlidingAxes::one;
+  study.intensity.measure = IntensityMeasure::mce_fraction;
+  study.intensity.levels = {2.0 / 3};
+  study.quantities.at("roof", "slope_deg") = fixed(1.2);
+  study.quantities.at("building", "period_s") = listed({0.2, 1.0});
+  study.quantities.at("friction", "mu") = fixed(0.47);
+  study.orientation.choice = OrientationChoice::all_permutations;
+  return study;
+}
+
+/// The same with one axis more.
+StudyConfig study_of(const char* table, const char* key, std::vector<double> values) {
+  StudyConfig study = study_of_periods();
+  study.quantities.at(table, key) = listed(std::move(values));
+  return study;
+}
+template <class T>
+StudyConfig study_of(std::vector<T> StudyConfig::*choices, std::vector<T> values) {
+  StudyConfig study = study_of_periods();
+  study.*choices = std::move(values);
+  return study;
+}
+StudyConfig study_of_levels(std::vector<double> levels) {
+  StudyConfig study = study_of_periods();
+  study.intensity.levels = std::move(levels);
+  return study;
+}
+StudyConfig study_of_two_frictions(double across) {
+  StudyConfig study = study_of("friction", "across_mu", {across});
+  study.friction.across_is_given = true;
+  study.orientation.slope_axis = {SlopeAxis::e_w, SlopeAxis::n_s};
+  return study;
+}
+
+/// Two records, of an isolated and an anchored array; all numbers from two rules that can be
+/// followed by hand: a displacement of (o + 1)(p + 1) inches for record a and three times that for
+/// b, so a mean of 2 (o + 1)(p + 1) inches; times a factor.
+Results made_up(
+    const StudyConfig& study = study_of(&StudyConfig::support,
+                                        {ArraySupport::isolated, ArraySupport::anchored}),
+    const std::function<double(const HistoryPlace&)>& factor = [](const auto&) { return 1.0; }) {
+  Results r = test::results_by_rule(
+      study, {{.id = "a", .has_vertical = true}, {.id = "b"}},
+      [&](const HistoryPlace& at) -> test::MadeUpHistory {
+        const bool isolated = at.c.support == ArraySupport::isolated;
+        const double x = inch * static_cast<double>(at.orientation + 1) *
+                         (at.c.period_s == 0.2 ? 1 : 2) * (at.record == 0 ? 1 : 3) * factor(at);
+        return {isolated ? x : 0.0, isolated ? x : 0.0, isolated ? 0.9 : 1.0};
+      });
   r.suites = {{"suite",
                "two records",
                "ASCE 7-10, S_S 1.5 g, S_1 0.6 g, site class C",
@@ -50,51 +94,33 @@ Results made_up() {
                 {1.0, 2.0, 0.8},
                 0.0,
                 {{0.99, 0.082}, {2.5, 0.004}}}}};  // between the periods above
-  r.records = {{.id = "a", .has_vertical = true}, {.id = "b"}};
-  r.conditions->friction = {0.47, 0.47};
-  for (int record = 0; record < 2; ++record) {
-    for (int o = 0; o < 4; ++o) {
-      for (int support = 0; support < 2; ++support) {
-        for (int p = 0; p < 2; ++p) {
-          const double x = inch * (o + 1) * (p + 1) * (record == 0 ? 1 : 3);
-          ConditionHistory h;
-          if (support == 0) h = {.displacement_m = x, .peak_m = x, .peak_along_m = x};
-          h.shear_along = support == 0 ? 0.9 : 1.0;
-          r.conditions->histories.push_back(h);
-        }
-      }
-    }
-  }
   analyse(r);
   return r;
 }
 
-std::vector<std::string> figure_names(Results r) {
+/// Of a study of two suites, one record each.
+Results two_suites(const char* first, const char* second) {
+  Results r = made_up();
+  r.suites.push_back(r.suites.front());
+  r.suites[0].name = first;
+  r.suites[1].name = second;
+  r.records[1].suite = 1;
   analyse(r);
+  return r;
+}
+
+std::vector<std::string> figure_names(const Results& r) {
   std::vector<std::string> names;
   for (const Figure& figure : clearance_figures(r)) names.push_back(figure.name);
   return names;
 }
 
 TEST(clearance_report, gives_a_row_for_each_listed_condition_and_the_range_of_all) {
-  Results r = made_up();
-  r.conditions->grid.listed = {"building damping 0.02", "building damping 0.05"};
-  r.conditions->friction = {0.47, 0.47, 0.47, 0.47};
-  // By (record, orientation, listed, support, period): half as much at 5 %.
-  std::vector<ConditionHistory> both;
-  for (std::size_t at = 0; at < r.conditions->histories.size(); at += 4) {
-    for (const double factor : {1.0, 0.5}) {
-      for (std::size_t i = at; i < at + 4; ++i) {
-        both.push_back(r.conditions->histories[i]);
-        both.back().displacement_m *= factor;
-      }
-    }
-  }
-  r.conditions->histories = both;
-  analyse(r);
+  const Results r = made_up(study_of("building", "damping", {0.02, 0.05}),
+                            [](const auto& at) { return at.c.damping == 0.02 ? 1.0 : 0.5; });
   const Table table = clearance_table(r);
   ASSERT_EQ(table.rows.size(), 2u);
-  EXPECT_EQ(std::get<std::string>(table.rows[1][0]), r.conditions->grid.listed[1]);
+  EXPECT_EQ(std::get<std::string>(table.rows[1][0]), "building damping 0.05");
   EXPECT_DOUBLE_EQ(std::get<SignedEstimate>(table.rows[1][3]).value, 5 * inch);
   EXPECT_THAT(clearance_sentences(r).back(),
               states(format_length(5.5 * inch) + " (building damping 0.05)",
@@ -153,10 +179,6 @@ TEST(clearance_report, readings_are_of_what_the_grid_varies) {
 }
 
 TEST(clearance_report, shows_the_design_earthquake_else_the_highest_level) {
-  Results r = made_up();
-  ConditionGrid& grid = r.conditions->grid;
-  grid.support = {ArraySupport::isolated};
-  // In place of the supports: no displacement at the second level.
   struct Shown {
     std::vector<double> levels;
     std::size_t place;
@@ -164,21 +186,25 @@ TEST(clearance_report, shows_the_design_earthquake_else_the_highest_level) {
   };
   for (const Shown& shown : {Shown{{2.0 / 3, 1.0}, 0, 11 * inch}, Shown{{0.5, 2.0 / 3}, 1, 0.0},
                              Shown{{0.5, 1.0}, 1, 0.0}}) {
-    grid.level = shown.levels;
-    analyse(r);
+    // No displacement at the second level.
+    const Results r = made_up(study_of_levels(shown.levels),
+                              [](const auto& at) { return at.level == 0 ? 1.0 : 0.0; });
+    const ConditionGrid& grid = r.conditions->grid;
     EXPECT_EQ(shown_condition(grid)[ConditionAxis::level], shown.place);
     EXPECT_DOUBLE_EQ(clearance_figures(r)[1].panels.at(0).rules.at(0).at, shown.clearance_m);
     EXPECT_THAT(clearance_reading(r, ClearanceTopic::period),
                 states(label_of(grid, ConditionAxis::level, shown.place)));
   }
-  grid.level = {0.5, 2.0 / 3, 1.0};
-  grid.level_symbol = "S_DS";  // 2/3 g is no design earthquake
-  grid.dbe_level = 0.0;
-  EXPECT_EQ(shown_condition(grid)[ConditionAxis::level], 2u);
-  grid.dbe_level = 2.0 / 3;  // of a target with this S_DS it is
+  StudyConfig study = study_of_levels({0.5, 2.0 / 3, 1.0});
+  study.intensity.measure = IntensityMeasure::sds_g;
+  Results r = made_up(study);  // 2/3 g is no design earthquake
+  EXPECT_EQ(shown_condition(r.conditions->grid)[ConditionAxis::level], 2u);
+  r.model.dbe_level = 2.0 / 3;  // of a target with this S_DS it is
+  analyse(r);
+  const ConditionGrid& grid = r.conditions->grid;
   EXPECT_EQ(shown_condition(grid)[ConditionAxis::level], 1u);
-  EXPECT_EQ(label_of(grid, ConditionAxis::level, 1), "DBE, S_DS = 0.667");
-  EXPECT_EQ(label_of(grid, ConditionAxis::level, 2), "MCE, S_DS = 1.00");
+  EXPECT_EQ(label_of(grid, ConditionAxis::level, 1), "DBE, S_DS = 0.667 g");
+  EXPECT_EQ(label_of(grid, ConditionAxis::level, 2), "MCE, S_DS = 1.00 g");
 }
 
 TEST(clearance_report, of_one_axis_does_not_mention_two) {
@@ -203,49 +229,34 @@ TEST(clearance_report, of_one_axis_does_not_mention_two) {
 }
 
 TEST(clearance_report, of_two_frictions_each_is_reported_where_it_acts_downhill) {
-  Results r = made_up();
+  const Results r = made_up();
   EXPECT_THAT(clearance_reading(r, ClearanceTopic::orientation), Not(states("downhill")));
-  r.conditions->friction = {0.47, 0.52};
-  r.conditions->orientations[2].slope_axis = r.conditions->orientations[3].slope_axis =
-      SlopeAxis::n_s;
-  const std::string reading = clearance_reading(r, ClearanceTopic::orientation);
-  // Largest over the periods: 4 and 8 inches along E-W, 12 and 16 along N-S.
-  EXPECT_THAT(reading, states("0.47", format_length(6 * inch), "0.52", format_length(14 * inch)));
+  const std::string reading =
+      clearance_reading(made_up(study_of_two_frictions(0.52)), ClearanceTopic::orientation);
+  // Largest over the periods: 4 to 16 inches along E-W, 20 to 32 along N-S.
+  EXPECT_THAT(reading, states("0.47", format_length(10 * inch), "0.52", format_length(26 * inch)));
 }
 
 TEST(clearance_report, figures_are_of_the_axes_with_several_values) {
-  EXPECT_EQ(figure_names(made_up()),
-            (std::vector<std::string>{"spectra", "period", "orientations"}));
-  Results r = made_up();
-  r.conditions->grid.support = {ArraySupport::isolated};
-  r.conditions->grid.slope_deg = {1.2, 2.4};  // in place of the supports: as many conditions
-  for (ConditionHistory& h : r.conditions->histories) h.displacement_m += inch;
-  EXPECT_EQ(figure_names(r),
-            (std::vector<std::string>{"spectra", "period", "orientations", "slope"}));
-  r.conditions->friction[1] = 0.5;
-  EXPECT_EQ(figure_names(r),
-            (std::vector<std::string>{"spectra", "period", "permutations", "slope"}));
-  r.conditions->friction[1] = r.conditions->friction[0];
-  r.conditions->grid.slope_deg = {1.2};
-  r.conditions->grid.level = {2.0 / 3, 1.0};
-  EXPECT_EQ(figure_names(r),
-            (std::vector<std::string>{"spectra", "period", "orientations", "mce"}));
-  r.conditions->grid.level = {1.0};
-  r.conditions->grid.response_modification = {0.0, 2.0};
-  EXPECT_EQ(figure_names(r),
-            (std::vector<std::string>{"spectra", "period", "orientations", "yielding"}));
-  r.conditions->grid.response_modification = {0.0};
-  r.conditions->grid.vertical = {{VerticalChoice::none, 0.0}, {VerticalChoice::if_available, 0.0}};
-  EXPECT_EQ(figure_names(r),
-            (std::vector<std::string>{"spectra", "period", "orientations", "vertical"}));
+  const auto names = [](const StudyConfig& study) { return figure_names(made_up(study)); };
+  EXPECT_THAT(figure_names(made_up()), ElementsAre("spectra", "period", "orientations"));
+  EXPECT_THAT(names(study_of("roof", "slope_deg", {1.2, 2.4})),
+              ElementsAre("spectra", "period", "orientations", "slope"));
+  StudyConfig both = study_of_two_frictions(0.5);
+  both.quantities.at("roof", "slope_deg") = listed({1.2, 2.4});
+  EXPECT_THAT(names(both), ElementsAre("spectra", "period", "permutations", "slope"));
+  EXPECT_THAT(names(study_of_levels({2.0 / 3, 1.0})),
+              ElementsAre("spectra", "period", "orientations", "mce"));
+  EXPECT_THAT(names(study_of("building", "response_modification", {0.0, 2.0})),
+              ElementsAre("spectra", "period", "orientations", "yielding"));
+  EXPECT_THAT(
+      names(study_of(&StudyConfig::vertical, {VerticalChoice::none, VerticalChoice::if_available})),
+      ElementsAre("spectra", "period", "orientations", "vertical"));
 }
 
 TEST(clearance_report, of_several_suites_only_how_they_compare_is_reported) {
-  Results r = made_up();
-  r.suites.push_back(r.suites.front());
-  r.suites.back().name = "other";
-  r.records[1].suite = 1;
-  EXPECT_EQ(figure_names(r), std::vector<std::string>{"level"});
+  const Results r = two_suites("suite", "other");
+  EXPECT_THAT(figure_names(r), ElementsAre("level"));
   EXPECT_THAT(clearance_reading(r, ClearanceTopic::level),
               states(format_length(2.5 * inch), "0.190 m (7.50 in)"));  // a: 1, 2, 3, 4 inches
 }
@@ -269,32 +280,18 @@ TEST(clearance_report, the_figure_over_periods_has_median_range_bounds_and_clear
 }
 
 TEST(clearance_report, the_figure_over_periods_hides_no_larger_clearance_than_it_states) {
-  Results r = made_up();
-  r.conditions->grid.support = {ArraySupport::isolated};
-  r.conditions->grid.mass_ratio = {0.05, 0.1};  // in place of the supports: as many conditions
-  std::vector<ConditionHistory>& histories = r.conditions->histories;
-  for (std::size_t i = 0; i < histories.size(); ++i) {
-    if (i % 4 >= 2) histories[i].displacement_m = 2.0 * histories[i - 2].displacement_m;
-  }
-  analyse(r);
+  const Results r = made_up(study_of("building", "mass_ratio", {0.05, 0.1}),
+                            [](const auto& at) { return at.c.mass_ratio == 0.05 ? 1.0 : 2.0; });
   EXPECT_DOUBLE_EQ(clearance_figures(r)[1].panels.at(0).rules.at(0).at, 22 * inch);
 }
 
 // Twice the displacement without vertical motion, which is not at the first place.
 TEST(clearance_report, the_clearance_of_the_figure_over_periods_is_of_the_lines_that_it_has) {
-  Results r = made_up();
-  r.conditions->grid.support = {ArraySupport::isolated};
-  r.conditions->grid.mass_ratio = {0.05, 0.1};
-  r.conditions->grid.vertical = {{VerticalChoice::if_available, 0.0}, {VerticalChoice::none, 0.0}};
-  r.conditions->histories.clear();
-  for (const int record : {1, 3})
-    for (int o = 0; o < 4; ++o)
-      for (const int vertical : {1, 2})
-        for (int mass = 0; mass < 2; ++mass)
-          for (int p = 0; p < 2; ++p)
-            r.conditions->histories.push_back(
-                {.displacement_m = inch * (o + 1) * (p + 1) * record * vertical});
-  analyse(r);
+  StudyConfig study =
+      study_of(&StudyConfig::vertical, {VerticalChoice::if_available, VerticalChoice::none});
+  study.quantities.at("building", "mass_ratio") = listed({0.05, 0.1});
+  const Results r = made_up(
+      study, [](const auto& at) { return at.c.vertical == VerticalChoice::none ? 2.0 : 1.0; });
   const Figure figure = clearance_figures(r)[1];
   double largest_m = 0.0;
   for (const DataSeries& line : curves_of(figure))
@@ -304,37 +301,26 @@ TEST(clearance_report, the_clearance_of_the_figure_over_periods_is_of_the_lines_
   EXPECT_THAT(figure.below, states("no vertical motion"));
 }
 
-Figure figure_of(Results r, const std::string& name) {
-  analyse(r);
+Figure figure_of(const Results& r, const std::string& name) {
   return figure_named(clearance_figures(r), name);
 }
 
 TEST(clearance_report, the_line_at_the_design_earthquake_is_what_the_text_says) {
-  Results r = made_up();
-  r.conditions->grid.support = {ArraySupport::isolated};
-  r.conditions->grid.level = {2.0 / 3, 1.0};
+  const Results r = made_up(study_of_levels({2.0 / 3, 1.0}));
   const Rule line = figure_of(r, "mce").panels.at(0).rules.at(0);
   EXPECT_DOUBLE_EQ(line.at, 10 * inch);  // median of the orientations, at 1 s
-  analyse(r);
   EXPECT_THAT(clearance_reading(r, ClearanceTopic::mce),
               states(format_length(line.at) + " at DBE"));
 }
 
 TEST(clearance_report, a_yielding_building_is_drawn_from_r_above_0) {
-  Results r = made_up();
-  r.conditions->grid.support = {ArraySupport::isolated};
-  r.conditions->grid.response_modification = {0.0, 2.0};
-  for (ConditionHistory& h : r.conditions->histories) h.displacement_m += inch;
+  const Results r = made_up(study_of("building", "response_modification", {0.0, 2.0}));
   for (const DataSeries& line : curves_of(figure_of(r, "yielding")))
     EXPECT_EQ(line.x, std::vector{2.0});
 }
 
 TEST(clearance_report, intensity_levels_are_named_on_their_axis) {
-  Results r = made_up();
-  r.suites.push_back(r.suites.front());
-  r.suites[0].name = "my_level1";
-  r.suites[1].name = "my_level3";
-  r.records[1].suite = 1;
+  const Results r = two_suites("my_level1", "my_level3");
   const Axis x = figure_of(r, "level").panels.at(0).x;
   EXPECT_THAT(x.label, states("Intensity Level"));
   ASSERT_EQ(x.ticks.size(), 2u);
@@ -360,10 +346,7 @@ TEST(base_shear_report, is_by_condition_and_beside_the_other_supports) {
 }
 
 TEST(base_shear_report, of_one_support_has_no_comparison) {
-  Results r = made_up();
-  r.conditions->grid.support = {ArraySupport::isolated};
-  r.conditions->grid.level = {1.0, 2.0};  // in place of the supports: as many conditions
-  analyse(r);
+  Results r = made_up(study_of_levels({1.0, 2.0}));
   r.base_shear = BaseShearAnalysis::find({}, r);
   EXPECT_EQ(base_shear_sentences(r).size(), 1u);
   EXPECT_EQ(base_shear_figures(r).size(), 1u);
@@ -372,33 +355,21 @@ TEST(base_shear_report, of_one_support_has_no_comparison) {
 // The numbers of the figures, whatever the axes, are those of the tables.
 TEST(clearance_report, figures_have_the_numbers_of_the_tables) {
   const auto of_tables = [](Results r) {
-    analyse(r);
     r.base_shear = BaseShearAnalysis::find({}, r);
     std::vector<Figure> figures = clearance_figures(r);
     for (Figure& figure : base_shear_figures(r)) figures.push_back(std::move(figure));
     return figures_of_tables(figures, csv_tables(r));
   };
-  Results r = made_up();
-  EXPECT_THAT(of_tables(r), ElementsAre("period", "orientations", "base_shear"));
-  r.conditions->grid.support[1] = ArraySupport::no_array;
-  EXPECT_THAT(of_tables(r),
+  EXPECT_THAT(of_tables(made_up()), ElementsAre("period", "orientations", "base_shear"));
+  EXPECT_THAT(of_tables(made_up(study_of(&StudyConfig::support,
+                                         {ArraySupport::isolated, ArraySupport::no_array}))),
               ElementsAre("period", "orientations", "base_shear", "base_shear_ratio"));
-  r.conditions->grid.support = {ArraySupport::isolated};
-  const ConditionGrid one = r.conditions->grid;
-  std::vector<ConditionGrid> several(4, one);
-  several[0].slope_deg = {1.2, 2.4};
-  several[1].level = {2.0 / 3, 1.0};
-  several[2].response_modification = {0.0, 2.0};
-  several[3].vertical = {{VerticalChoice::none, 0.0}, {VerticalChoice::if_available, 0.0}};
-  for (const ConditionGrid& grid : several) {
-    r.conditions->grid = grid;
-    EXPECT_EQ(of_tables(r).size(), 4u);  // slope, mce, yielding, vertical
-  }
-  r = made_up();
-  r.suites.push_back(r.suites.front());
-  r.suites.back().name = "other";
-  r.records[1].suite = 1;
-  EXPECT_THAT(of_tables(r), ElementsAre("level", "base_shear"));
+  for (const StudyConfig& study :
+       {study_of("roof", "slope_deg", {1.2, 2.4}), study_of_levels({2.0 / 3, 1.0}),
+        study_of("building", "response_modification", {0.0, 2.0}),
+        study_of(&StudyConfig::vertical, {VerticalChoice::none, VerticalChoice::if_available})})
+    EXPECT_EQ(of_tables(made_up(study)).size(), 4u);  // slope, mce, yielding, vertical
+  EXPECT_THAT(of_tables(two_suites("suite", "other")), ElementsAre("level", "base_shear"));
 }
 
 TEST(clearance_report, histories_have_base_shears_only_beside_that_analysis) {
@@ -410,9 +381,9 @@ TEST(clearance_report, histories_have_base_shears_only_beside_that_analysis) {
 }
 
 TEST(clearance_report, histories_are_reported_once_each) {
-  Results r = made_up();
-  r.conditions->same_as = {0, 1, 0, 1};
-  EXPECT_EQ(clearance_histories_table(r).rows.size(), 2u * 2u * 4u);
+  // On a flat roof a history and its mirror image are one: two of the four orientations.
+  const Results r = made_up(study_of("roof", "slope_deg", {0.0}));
+  EXPECT_EQ(clearance_histories_table(r).rows.size(), 2u * 2u * 2u);
 }
 
 }  // namespace

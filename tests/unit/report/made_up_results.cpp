@@ -10,6 +10,7 @@
 #include "glissade/core/units.hpp"
 #include "glissade/standards/prescriptive.hpp"
 #include "glissade/study/analysis/impact.hpp"
+#include "unit/study/by_rule.hpp"
 
 namespace glissade {
 namespace {
@@ -166,21 +167,6 @@ void add_run(Results& results, const std::string& label, const std::string& fric
   results.runs.push_back(run);
 }
 
-/// A table of zeros for the results' records, cases, levels and thresholds.
-void size_histories(Results& results) {
-  HistoryTable& table = results.histories;
-  table = {results.records.size(),
-           results.cases.size(),
-           results.levels.size(),
-           results.thresholds_m.size(),
-           {}};
-  const std::size_t size = table.records * table.cases;
-  table.fields.peak_displacement_m.assign(size * table.levels, 0.0);
-  table.fields.uplift.assign(size * table.levels, 0);
-  table.fields.failed.assign(size * table.levels, 0);
-  table.fields.capacity.assign(size * table.thresholds, std::numeric_limits<double>::infinity());
-}
-
 /// A code-like shape with a corner at 0.6 s, in units of S_DS.
 double spectral_shape(double period_s) {
   if (period_s < 0.12) return 0.4 + 0.6 * period_s / 0.12;
@@ -223,7 +209,7 @@ void list_chart_cases(Results& results) {
             {.friction = mu, .friction_across = mu, .slope_deg = slope_deg, .period_s = period_s});
     }
   }
-  size_histories(results);
+  test::size_histories(results);
 }
 
 std::vector<double> steps(int first, int last, double step) {
@@ -414,7 +400,7 @@ Results made_up_results() {
     results.records.push_back(record);
   }
   results.suites = {{"made_up_suite", "Twelve records that never were.", "", spectra_of(records)}};
-  size_histories(results);
+  test::size_histories(results);
   add_run(results, "sampled", "normal, mean 0.55, std 0.04", 0.9);
   add_run(results, "design", "mean - 2 std = 0.47", 0.72);
   results.notes = {"1 of 12 records has no vertical: run with horizontals only"};

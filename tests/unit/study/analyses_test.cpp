@@ -2,7 +2,7 @@
 // Required clearance, base shear and tipping of histories that can be followed by hand.
 #include <gtest/gtest.h>
 
-#include "glissade/study/results.hpp"
+#include "unit/study/by_rule.hpp"
 
 namespace glissade {
 namespace {
@@ -11,33 +11,21 @@ namespace {
 ///   displacement   a  1 2  3 4    b  3 4  7 6
 ///   base shear     a  5 5  10 10  b  15 25  10 20    (by axes of 3 to 4)
 ///   tips           a  0 1  0 0    b  0 1  1 1
-Results by_hand() {
-  Results r;
-  r.axes = SlidingAxes::two;
-  r.levels = {0.8};
-  r.suites.resize(1);
-  r.records = {{.id = "a"}, {.id = "b"}};
-  r.cases.axes = {{"building.period_s", "s", {0.2, 1.0}, {}}};
-  r.cases.orientations = 2;
-  for (const double period_s : {0.2, 1.0}) {
-    for (const double azimuth_deg : {0.0, 90.0}) {
-      Case c;
-      c.period_s = period_s;
-      c.friction = c.friction_across = 0.5;
-      c.orientation = {SlopeAxis::e_w, azimuth_deg, 1};
-      r.cases.cases.push_back(c);
-    }
-  }
-  r.histories = {2, 4, 1, 0, {}};
-  HistoryFields& f = r.histories.fields;
-  f.peak_displacement_m = {1, 2, 3, 4, 3, 4, 7, 6};
-  for (const double shear : {5, 5, 10, 10, 15, 25, 10, 20}) {
-    f.shear_along.push_back(0.6 * shear);
-    f.shear_across.push_back(0.8 * shear);
-  }
-  f.uplift.assign(8, 0);
-  f.failed.assign(8, 0);
-  f.tips = {0, 1, 0, 0, 0, 1, 1, 1};
+/// @param a_last_m the displacement of a at the second period in the second orientation
+Results by_hand(double a_last_m = 4.0) {
+  StudyConfig study;
+  study.intensity.levels = {0.8};
+  study.quantities.at("building", "period_s") = test::listed({0.2, 1.0});
+  study.orientation = {OrientationChoice::as_recorded, {SlopeAxis::e_w, SlopeAxis::n_s}};
+  const double displacement[2][4] = {{1, 2, 3, a_last_m}, {3, 4, 7, 6}},
+               shear[2][4] = {{5, 5, 10, 10}, {15, 25, 10, 20}};
+  Results r = test::results_by_rule(
+      study, {{.id = "a"}, {.id = "b"}}, [&](const test::HistoryPlace& at) -> test::MadeUpHistory {
+        const std::size_t i = (at.c.period_s == 1.0 ? 2 : 0) + at.orientation;
+        return {displacement[at.record][i], 0.0, 0.6 * shear[at.record][i],
+                0.8 * shear[at.record][i]};
+      });
+  r.histories.fields.tips = {0, 1, 0, 0, 0, 1, 1, 1};
   r.conditions = condition_table(r);
   return r;
 }
@@ -77,8 +65,7 @@ TEST(analyses, a_required_clearance_is_a_factor_on_the_largest_mean_over_the_per
 
 TEST(analyses,
      the_recommended_clearance_is_of_the_largest_orientation_unless_the_median_is_stated) {
-  Results r = by_hand();
-  r.conditions->histories[3].displacement_m = 8.0;  // a, second orientation, 1 s: a mean of 7
+  const Results r = by_hand(8.0);  // a mean of 7 in the second orientation at 1 s
   const RequiredClearance usual = required_clearance(r, {.factor = 2.0}).required[0];
   EXPECT_EQ(usual.clearance_m, 14.0);
   EXPECT_EQ(usual.median_m, 12.0);

@@ -6,14 +6,10 @@
 
 #include "glissade/study/plan/plan.hpp"
 #include "glissade/study/run/execute.hpp"
-#include "glissade/study/run/reduce.hpp"
 #include "unit/block/reference.hpp"
+#include "unit/study/by_rule.hpp"
 
 namespace glissade::test {
-
-inline Quantity fixed(double value) { return {{value}, {}}; }
-inline Quantity listed(std::vector<double> values) { return {std::move(values), {}}; }
-inline Quantity drawn(Distribution distribution) { return {{}, std::move(distribution)}; }
 
 /// Three made-up three-component motions of 6 s.
 inline Suite small_suite() {

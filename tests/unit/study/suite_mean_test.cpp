@@ -5,38 +5,41 @@
 
 #include <cmath>
 
-#include "glissade/study/results.hpp"
+#include "unit/study/by_rule.hpp"
 
 namespace glissade {
 namespace {
+
+using test::fixed;
+using test::listed;
 
 /// Two records of one suite and one of another, four orientations (slope along E-W), two periods.
 /// Displacements of the first suite, by (record, orientation, period):
 ///   a  1 2   3 4   5 6   7 0
 ///   b  1 0   1 0   1 0   1 8
-Results by_hand() {
-  Results r;
-  r.conditions.emplace();
-  r.conditions->grid.slope_deg = {1.0};
-  r.conditions->grid.period_s = {0.2, 1.0};
-  for (const double azimuth : {0.0, 180.0, 90.0, 270.0})
-    r.conditions->orientations.push_back({SlopeAxis::e_w, azimuth, 1});
-  r.conditions->same_as = {0, 1, 2, 3};
-  r.suites.resize(2);
-  r.records = {{.suite = 0, .id = "a", .stronger = 0},
-               {.suite = 0, .id = "b", .stronger = 1},
-               {.suite = 1, .id = "c"}};
-  r.conditions->friction = {0.5, 0.5};
-  for (const double x : {1., 2., 3., 4., 5., 6., 7., 0.,  //
-                         1., 0., 1., 0., 1., 0., 1., 8.,  //
-                         9., 9., 9., 9., 9., 9., 9., 9.}) {
-    r.conditions->histories.push_back({.displacement_m = x,
-                                       .peak_m = 0.9 * x,
-                                       .peak_along_m = 0.6 * x,
-                                       .peak_across_m = 0.8 * x,
-                                       .shear_along = 0.3 * x,
-                                       .shear_across = 0.4 * x});
-  }
+/// @param a_last_m a in the last orientation at 1 s
+/// @param more_m at 1 s, of all
+Results by_hand(double a_last_m = 0.0, double more_m = 0.0) {
+  StudyConfig study;
+  study.model.axes = SlidingAxes::one;
+  study.intensity.levels = {1.0};
+  study.quantities.at("roof", "slope_deg") = fixed(1.0);
+  study.quantities.at("building", "period_s") = listed({0.2, 1.0});
+  study.orientation.choice = OrientationChoice::all_permutations;
+  const double by_record[3][8] = {{1., 2., 3., 4., 5., 6., 7., a_last_m},
+                                  {1., 0., 1., 0., 1., 0., 1., 8.},
+                                  {9., 9., 9., 9., 9., 9., 9., 9.}};
+  Results r = test::results_by_rule(study,
+                                    {{.suite = 0, .id = "a", .stronger = 0},
+                                     {.suite = 0, .id = "b", .stronger = 1},
+                                     {.suite = 1, .id = "c"}},
+                                    [&](const test::HistoryPlace& at) -> test::MadeUpHistory {
+                                      const bool last = at.c.period_s == 1.0;
+                                      const double x =
+                                          by_record[at.record][2 * at.orientation + last];
+                                      return {x + (last ? more_m : 0.0), 0.9 * x, 0.3 * x, 0.4 * x};
+                                    });
+  r.conditions = condition_table(r);
   return r;
 }
 
@@ -78,14 +81,12 @@ TEST(suite_mean, the_interval_is_from_resampling_records) {
 
 TEST(suite_mean, the_governing_period_is_of_the_rule) {
   using enum OrientationRule;
-  Results r = by_hand();
-  EXPECT_EQ(governing_period(r, {}, {}, median), 0u);  // 2.5 against (1 + 2)/2 + ...: 1, 2, 3, 4
-  r.conditions->histories[7].displacement_m = 1.0;     // a in the last orientation at 1 s: 4.5
+  // 2.5 against (1 + 2)/2 + ...: 1, 2, 3, 4
+  EXPECT_EQ(governing_period(by_hand(), {}, {}, median), 0u);
+  const Results r = by_hand(1.0);  // in the last orientation at 1 s: 4.5
   EXPECT_EQ(governing_period(r, {}, {}, median), 0u);
   EXPECT_EQ(governing_period(r, {}, {}, largest), 1u);
-  for (std::size_t i = 1; i < r.conditions->histories.size(); i += 2)
-    r.conditions->histories[i].displacement_m += 100.0;
-  EXPECT_EQ(governing_period(r, {}, {}, median), 1u);
+  EXPECT_EQ(governing_period(by_hand(1.0, 100.0), {}, {}, median), 1u);
 }
 
 TEST(suite_mean, no_orientation_by_record_leaves_the_bounds) {
@@ -117,7 +118,8 @@ TEST(suite_mean, each_records_stronger_component_falls_with_the_roof) {
   EXPECT_DOUBLE_EQ(strong.as_recorded, 1.0);  // a 2, b 0
   EXPECT_DOUBLE_EQ(strong.reversed, 6.0);     // a 4, b 8
   Results r = by_hand();
-  r.conditions->orientations[3].ground_azimuth_deg = 22.5;
+  r.cases.cases[3].orientation.ground_azimuth_deg = 22.5;
+  r.conditions = condition_table(r);
   EXPECT_TRUE(std::isnan(stronger_along(r, {}, {}, Periods::one).reversed));
 }
 
