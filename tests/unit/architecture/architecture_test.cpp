@@ -15,7 +15,7 @@ namespace {
 namespace fs = std::filesystem;
 const fs::path root = GLISSADE_SOURCE_DIR;
 
-// src/README.md, the table of modules.
+// src/README.md, the modules.
 const std::map<std::string, std::set<std::string>> may_include = {
     {"core", {}},
     {"motion", {"core"}},
@@ -78,7 +78,7 @@ TEST(architecture, modules_include_only_what_lies_below_them) {
   EXPECT_GT(checked, 100);
 }
 
-// src/README.md, the table of the folders of src/block.
+// src/README.md, the folders of src/block.
 const std::vector<std::string> block_folders = {"contact", "polynomial", "slip_record", "events",
                                                 "tables",  "full_model", "two_axes"};
 
