@@ -1,5 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The sliding block. The bytes are a scene: README.md states the meaning of each byte.
+// The sliding block. The bytes are a scene:
+//   0: bit 0 slope; bits 1-2 friction: any, in twentieths, critical, any power of two; bit 3 one
+//      way; bits 4-5 samples (SampleKind); bit 6 vertical; bit 7 plateaus
+//   1: step, 1 s to 1 us; 2-3, 4-5: slope to 89.9 degrees either way; friction
+//   6, 7: factors on horizontal and vertical, in sixteenths
+//   then samples: with plateaus a byte of length first; horizontal; vertical
 #include <cmath>
 
 #include "bytes.hpp"
