@@ -5,6 +5,7 @@
 
 #include "enum_names.hpp"
 #include "results/archive.hpp"
+#include "results/envelope.hpp"
 
 namespace glissade {
 namespace {

@@ -527,9 +527,9 @@ bool write_package(const CalculationPackage& package, const std::filesystem::pat
       scope_html(package) + section_heading(Section::criteria) +
       plain_table(criteria_table(package)) + given_curves_html(project) +
       section_heading(Section::building) + plain_table(building_table(package)) +
-      section_heading(Section::array) + plain_table(array_table(package)) +
-      section_heading(Section::friction) + "<div class=\"inputs\">\n" +
-      page_table(friction_table(package)) + "</div>\n" +
+      section_heading(Section::array) + "<div class=\"inputs\">\n" +
+      plain_table(array_table(package)) + "</div>\n" + section_heading(Section::friction) +
+      "<div class=\"inputs\">\n" + page_table(friction_table(package)) + "</div>\n" +
       (project.friction.tested.empty() ? Html() : page_table(pull_tests_table(project.friction))) +
       section_heading(Section::motions) + motions_html(package, figures) +
       result_html(package, has_demand_figure ? figure_html(figures.at(1), 2) : Html()) +

@@ -42,19 +42,10 @@ std::string share_text(const ExceedanceAt& e) {
                      format_share(e.interval.high));
 }
 
-/// With a capital, but for the name of a key.
-std::vector<std::string> sentences(std::vector<std::string> texts) {
-  for (std::string& text : texts) {
-    const std::string first = text.substr(0, text.find(' '));
-    if (first.find_first_of("._") == std::string::npos) text = capitalised(text);
-  }
-  return texts;
-}
-
 }  // namespace
 
 std::vector<std::string> warnings_of(const CalculationPackage& package) {
-  std::vector<std::string> warnings = sentences(texts_of(package.design.warnings));
+  std::vector<std::string> warnings = capitalised(texts_of(package.design.warnings));
   if (package.files.empty())
     warnings.insert(warnings.begin(), capitalised(simulated_motions_warning));
   return warnings;
@@ -63,8 +54,7 @@ std::vector<std::string> warnings_of(const CalculationPackage& package) {
 std::vector<std::string> open_items(const CalculationPackage& package) {
   std::vector<std::string> items = reservations_on(package.project, package.design);
   if (package.files.empty()) items.insert(items.begin(), simulated_motions_warning);
-  for (std::string& item : items) item = capitalised(item);
-  return items;
+  return capitalised(items);
 }
 
 const char* verdict_where_wide_enough(const CalculationPackage& package) {
@@ -76,7 +66,7 @@ const char* verdict_where_wide_enough(const CalculationPackage& package) {
 std::vector<std::string> shown_warnings(const CalculationPackage& package) {
   std::vector<DesignWarning> shown = package.design.warnings;
   std::erase_if(shown, [](const DesignWarning& warning) { return warning.is_reservation; });
-  return sentences(texts_of(shown));
+  return capitalised(texts_of(shown));
 }
 
 std::string range_text(const std::vector<double>& values, const char* unit) {

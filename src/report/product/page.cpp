@@ -15,6 +15,7 @@
 #include "package/print/symbols.hpp"
 #include "package/print/workbook.hpp"
 #include "product/tables.hpp"
+#include "text/study_text.hpp"
 
 namespace glissade {
 namespace {
@@ -22,12 +23,14 @@ namespace {
 /// Each once.
 std::vector<std::string> warnings_of(const ProductSheet& sheet) {
   std::vector<std::string> warnings;
-  if (sheet.is_simulated) warnings.emplace_back(simulated_motions_warning);
+  const auto add = [&](const std::string& warning) {
+    if (std::ranges::find(warnings, capitalised(warning)) == warnings.end())
+      warnings.push_back(capitalised(warning));
+  };
+  if (sheet.is_simulated) add(simulated_motions_warning);
   if (sheet.targets.front().found.of_largest)
-    warnings.emplace_back("fewer than 7 records: the largest counts in place of the mean");
-  for (const SheetTarget& of : sheet.targets)
-    for (const std::string& warning : of.warnings)
-      if (std::ranges::find(warnings, warning) == warnings.end()) warnings.push_back(warning);
+    add("fewer than 7 records: the largest counts in place of the mean");
+  for (const SheetTarget& of : sheet.targets) std::ranges::for_each(of.warnings, add);
   return warnings;
 }
 

@@ -33,18 +33,16 @@ Column length_column(const ProductSheet& sheet, const std::string& stem, const s
           .decimals = decimals_of(sheet.product) + more_decimals};
 }
 
-/// Text where the array slides without an earthquake.
+/// Without the last digits, which the change of units makes; text where the array slides without an
+/// earthquake.
 Cell cell_of(const ProductSheet& sheet, double length_m) {
+  constexpr int digits = 12;
   if (std::isinf(length_m)) return std::string("slides");
-  return in_unit(sheet.product.unit, length_m);
+  return rounded_to(in_unit(sheet.product.unit, length_m), digits);
 }
 
-/// Of a decimal step the decimal number.
 Cell rounded(const ProductSheet& sheet, double length_m) {
-  constexpr int digits = 12;
-  if (std::isinf(length_m)) return cell_of(sheet, length_m);
-  return rounded_to(in_unit(sheet.product.unit, rounded_up(length_m, sheet.product.round_up_m)),
-                    digits);
+  return cell_of(sheet, rounded_up(length_m, sheet.product.round_up_m));
 }
 
 std::vector<Column> target_columns() {
@@ -61,8 +59,8 @@ std::string note_on_design(const ProductSheet& sheet) {
   const TargetDisplacements& found = sheet.targets.front().found;
   return fmt::format(
       "{:g} x the {} of the records, rounded up to {:g} {}. Between rows and columns: the next "
-      "larger S_DS and S_D1, the next steeper slope, the next lower friction. slides: friction "
-      "does not hold the array without an earthquake.",
+      "larger S_DS and S_D1, the next steeper slope, the next lower friction. slides: the array "
+      "slides without an earthquake.",
       found.factor, found.of_largest ? "largest" : "mean",
       in_unit(sheet.product.unit, sheet.product.round_up_m), unit_of(sheet));
 }
@@ -192,8 +190,8 @@ Table prescribed_displacements_table(const ProductSheet& sheet) {
       {},
       {fmt::format("An analysis gives 80 % of it or more, unless it is peer reviewed: where the "
                    "design displacement above is less, these 80 % count. For slopes of {:.3g} "
-                   "degrees or less and friction of {:g} or more, and further conditions. Stated "
-                   "from memory: confirm against the adopted code.",
+                   "degrees or less and friction of {:g} or more, and further conditions. Confirm "
+                   "against the adopted code.",
                    slope_limit_deg(Standard::asce7_16), friction_limit(Standard::asce7_16))}};
   std::vector<double> levels;
   for (const SheetTarget& of : sheet.targets) levels.push_back(of.target.target.sds_g);
@@ -225,7 +223,8 @@ std::string largest_sentence(const ProductSheet& sheet) {
       "friction {:g}{}.",
       in_unit(sheet.product.unit, rounded_up(largest->design_m, sheet.product.round_up_m)),
       decimals_of(sheet.product), unit_of(sheet), at->target.target.sds_g, at->target.target.sd1_g,
-      largest->slope_deg, largest->mu, slides ? ", of those that friction holds" : "");
+      largest->slope_deg, largest->mu,
+      slides ? ", of the points where the array does not slide without an earthquake" : "");
 }
 
 }  // namespace glissade

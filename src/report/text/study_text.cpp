@@ -252,8 +252,16 @@ std::vector<std::size_t> evenly(std::size_t size, std::size_t count) {
 }
 
 std::string capitalised(std::string text) {
-  text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));
+  const std::string first_word = text.substr(0, text.find(' '));
+  const bool is_key = first_word.find_first_of("._") != std::string::npos;
+  if (!text.empty() && !is_key)
+    text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));
   return text;
+}
+
+std::vector<std::string> capitalised(std::vector<std::string> texts) {
+  for (std::string& text : texts) text = capitalised(std::move(text));
+  return texts;
 }
 
 std::string share_with_interval(const Estimate& share) {

@@ -17,7 +17,7 @@ caption { font-weight: bold; color: #222; } .note { font-weight: normal; }
 .title { display: flex; } .title > div:first-child { flex: 3; } .stamp { flex: 1.2; border: 1px solid #444; margin: 1em 0 1em 1.5em; padding: .4em; min-height: 11em; color: #555; font-size: .85em; }
 .plain caption, .answer caption, .title caption, .title th, .form th { display: none; } .form td { height: 1.9em; }
 .answer table { background: #fff; } .provisions td:first-child { white-space: nowrap; }
-.files td:last-child { font-family: monospace; overflow-wrap: anywhere; }
+.inputs td:nth-child(2) { width: 32%; } .files td:last-child { font-family: monospace; overflow-wrap: anywhere; }
 @media print {
   .short, li { break-inside: avoid; } h1 { font-size: 1.5em; margin-top: 0; } .answer ul, .warning ul { margin: .3em 0; padding-left: 1.4em; }
   h2 { margin: 1em 0 .4em; font-size: 1.25em; } .contents a::after { content: " " leader(".") " " target-counter(attr(href), page); }
