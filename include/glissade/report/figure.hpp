@@ -40,6 +40,7 @@ enum class Role {
   target,      ///< a design spectrum
   prescribed,  ///< by a standard
   reference,   ///< to read others against
+  published,   ///< by others
 };
 Look look(Role role);
 /// One of an ordered family: colours that stay ordered in grey and for colour-blind readers

@@ -128,6 +128,12 @@ struct SamplingConfig {
   }
 };
 
+/// A value of a publication, drawn in the figure of that name.
+struct PublishedPoint {
+  std::string figure, source;  ///< source: with its value, for the key
+  double x = 0.0, y = 0.0;     ///< as on the figure's axes, lengths in m
+};
+
 /// A study as its file states it: checked, defaults filled in, nothing read or run yet. Of its
 /// analyses each has its own part.
 struct StudyConfig : Analyses::InStudy {
@@ -156,6 +162,7 @@ struct StudyConfig : Analyses::InStudy {
   NeighbourSlope neighbour_slope = NeighbourSlope::same;
   OrientationConfig orientation;
   SamplingConfig sampling;
+  std::vector<PublishedPoint> published;
 
   /// A clearance also of a suite that does not meet its target: not for design.
   bool is_without_target() const {

@@ -106,6 +106,7 @@ struct Results : AnalysisResults {
   DisplacementMeasure displacement = DisplacementMeasure::srss;  ///< of two axes
   std::vector<double> levels, thresholds_m;
   bool by_stripes = false;  ///< as that of StudyConfig
+  std::vector<PublishedPoint> published;
   CaseSet cases;
   std::vector<RecordSummary> records;           ///< those of one suite together
   std::vector<double> record_periods_s;         ///< of their spectra as recorded

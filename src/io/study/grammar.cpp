@@ -11,6 +11,7 @@
 #include "glissade/io/study_grammar.hpp"
 #include "product/product_keys.hpp"
 #include "project/project_keys.hpp"
+#include "study/published_table.hpp"
 #include "study/quantity_table.hpp"
 #include "study/study_keys.hpp"
 #include "toml/written_units.hpp"
@@ -21,6 +22,7 @@ namespace {
 /// What is required first in each table.
 std::vector<GrammarKey> make_grammar() {
   std::vector<GrammarKey> all = in_words(study_tables());
+  std::ranges::move(in_words(std::vector{published_table()}), std::back_inserter(all));
   for (auto first = all.begin(); first != all.end();) {
     const auto end = std::find_if(first, all.end(),
                                   [&](const GrammarKey& key) { return key.table != first->table; });

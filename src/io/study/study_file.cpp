@@ -13,6 +13,7 @@
 #include "study/analysis_tables.hpp"
 #include "study/case_tables.hpp"
 #include "study/grammar.hpp"
+#include "study/published_table.hpp"
 #include "study/study_keys.hpp"
 #include "study/target_table.hpp"
 #include "toml/number_list.hpp"
@@ -202,6 +203,7 @@ StudyConfig read_study(const std::filesystem::path& file, TextFiles& files) {
                         ? OrientationChoice::as_recorded  // with all else that is as given
                         : OrientationChoice::random);
   read_analyses(root, study);
+  study.published = read_published(root);
   refuse_idle_keys(root, study);
   check_size(root, study);
   document.finish();
@@ -213,7 +215,8 @@ StudyConfig read_study(const std::filesystem::path& file, TextFiles& files) {
 }
 
 StudyConfig read_study_again(const std::filesystem::path& file, const Results& run) {
-  const auto tables = tables_where([](const AnalysisInFiles& a) { return a.of_any_run; });
+  auto tables = tables_where([](const AnalysisInFiles& a) { return a.of_any_run; });
+  tables.emplace_back(published_table().name);
   StudyConfig study = read_study(file);
   if (toml_without(study.source_text, tables) != toml_without(run.study_text, tables))
     throw InputError({file.string(),

@@ -41,6 +41,8 @@ Look look(Role role) {
       return {orange, 2.5, 5, 4, 1.2};
     case Role::reference:
       return {{0x555555}, 1.5, 3, 0, 0.0};
+    case Role::published:
+      return {black, 2.0, 1, 12, 1.5};
   }
   return {};
 }

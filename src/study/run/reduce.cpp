@@ -111,6 +111,7 @@ void put_study(const StudyConfig& study, Results& results) {
   results.displacement = study.model.displacement;
   results.levels = study.intensity.levels;
   results.by_stripes = study.by_stripes;
+  results.published = study.published;
   results.thresholds_m = study.thresholds_m();
 }
 

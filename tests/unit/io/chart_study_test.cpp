@@ -55,6 +55,21 @@ period_s = [0.2, 1]
   EXPECT_TRUE(study.thresholds_m().empty());
 }
 
+const std::string published = "[[published]]\n";
+
+TEST_F(ChartStudy, published_values_are_read_in_the_units_of_their_axes) {
+  const StudyConfig study = read(
+      chart + published + "figure = \"chart_contours\"\nx = 0.4\ny = 3\nsource = \"A (2019)\"\n" +
+      published + "figure = \"chart_intensity\"\nx = 1.5\ny = \"10 in\"\nsource = \"B\"\n");
+  ASSERT_EQ(study.published.size(), 2u);
+  EXPECT_EQ(study.published[0].figure, "chart_contours");
+  EXPECT_EQ(study.published[0].x, 0.4);
+  EXPECT_EQ(study.published[0].y, 3.0);
+  EXPECT_EQ(study.published[0].source, "A (2019)");
+  EXPECT_EQ(study.published[1].x, 1.5);
+  EXPECT_NEAR(study.published[1].y, 0.254, 1e-15);
+}
+
 TEST_F(ChartStudy, what_is_left_out_is_a_rigid_roof_cut_in_the_middle) {
   const StudyConfig study = read(chart);
   EXPECT_TRUE(study.quantities.at("building", "period_s").is_always(0.0));
@@ -128,6 +143,21 @@ TEST_F(ChartStudy, what_makes_no_chart_has_one_clear_message_each) {
       {head + "[intensity]\nmeasure = \"sds_g\"\nlevels = [0]\n" + axes + "[chart]\n",
        "study.toml:7",
        {"intensity.levels", "0"}},
+      {chart + published + "figure = \"contours\"\nx = 1\ny = 1\nsource = \"A\"\n",
+       "study.toml:14",
+       {"\"contours\"", "\"chart_contours\"", "\"period\""}},
+      {chart + published + "figure = \"period\"\nx = 1\ny = 1\nsource = \"A\"\n",
+       "study.toml:14",
+       {"period is a figure of [clearance]", "add that table"}},
+      {chart + published + "figure = \"chart_intensity\"\nx = 1\ny = -1\nsource = \"A\"\n",
+       "study.toml:16",
+       {"published.y", "0 or more"}},
+      {chart + published + "figure = \"chart_contours\"\nx = 0.3\ny = \"1 in\"\nsource = \"A\"\n",
+       "study.toml:16",
+       {"published.y", "1 in"}},
+      {chart + published + "figure = \"chart_contours\"\nx = 0.3\ny = 1\n",
+       "study.toml:13",
+       {"published.source is missing"}},
       {head + "[intensity]\nmeasure = \"pga_g\"\nlevels = [1]\n" + axes +
            "[chart]\n[standards]\ncompare = [\"asce7_16\"]\n",
        "study.toml:13",

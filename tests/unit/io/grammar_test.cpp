@@ -51,7 +51,7 @@ std::set<std::string> keys_of(const std::string& text) {
   std::string table;
   for (std::string line; std::getline(lines, line);) {
     std::smatch match;
-    if (std::regex_match(line, match, std::regex(R"(\[(\w+)\].*)"))) {
+    if (std::regex_match(line, match, std::regex(R"(\[+(\w+)\]+.*)"))) {
       table = match[1];
       keys.insert(table + ".");
     } else if (std::regex_match(line, match, std::regex(R"(\[+(\w+\.\w+)\]+.*)"))) {

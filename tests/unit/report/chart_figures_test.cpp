@@ -58,6 +58,24 @@ TEST(chart_figures, are_those_the_chart_can_fill) {
               ElementsAre("chart_contours", "chart_friction", "chart_slope"));
 }
 
+TEST(chart_figures, have_the_published_values_of_their_name) {
+  Results results = made_up_chart_results();
+  const double top = figure_named(results, "chart_intensity").panels[0].y.high;
+  results.published = {{"chart_intensity", "A (2019): 0.5 m at 1 g", 1.0, 0.5},
+                       {"chart_intensity", "B (2020): beyond the axes", 9.0, 2.0 * top}};
+  const Figure figure = figure_named(results, "chart_intensity");
+  const DataSeries first = series_named(figure, "A (2019): 0.5 m at 1 g"),
+                   second = series_named(figure, "B (2020): beyond the axes");
+  EXPECT_EQ(first.x[0], 1.0);
+  EXPECT_EQ(first.y[0], 0.5);
+  EXPECT_EQ(first.label, first.name);  // in the key
+  EXPECT_NE(first.look.symbol, second.look.symbol);
+  EXPECT_GE(figure.panels[0].y.high, 2.0 * top);
+  EXPECT_EQ(figure.panels[0].x.high, 9.0);
+  for (const DataSeries& series : figure_named(results, "chart_slope").panels[0].series)
+    EXPECT_FALSE(series.label.starts_with("A (2019)"));
+}
+
 TEST(chart_contours, lie_where_linear_interpolation_puts_them) {
   // From 0.3 m at mu = 0.4 to 0.1 m at 0.8 on both slopes: 0.2 m half way.
   const Figure figure = figure_named(two_by_two({0.3, 0.1, 0.3, 0.1}), "chart_contours");
