@@ -213,7 +213,9 @@ void read_model(const TomlTable& table, ProjectBuilding& building) {
   building.alpha = {found.least_alpha, found.most_alpha};
   std::ranges::replace(name, '_', ' ');
   building.model_basis = fmt::format("usual for {} (Miranda & Taghavi 2005)",
-                                     table.has("system") ? name : "a system that is not stated");
+                                     !table.has("system") ? "a system that is not stated"
+                                     : name == "other"    ? "all other structural systems"
+                                                          : name);
 }
 
 ProjectBuilding read_building(const TomlTable& table, const Project& project) {

@@ -136,7 +136,7 @@ Html scope_html(const CalculationPackage& package) {
   const std::string violated = standard.violated(), not_met = standard.not_met();
   return section_heading(Section::scope) +
          paragraph(fmt::format(
-             "An array that no anchor holds slides in an earthquake. This calculation gives the "
+             "An unattached array can slide in an earthquake. This calculation gives the "
              "displacement to design for, by nonlinear response history analysis in place of the "
              "prescribed {}, and the separations that follow from it ({}).",
              displacement_symbol,
