@@ -104,7 +104,7 @@ Html suites_html(const Results& results) {
 Html inputs_html(const Results& results) {
   std::string runs;
   for (const RunResults& run : results.runs)
-    runs += (runs.empty() ? "" : " | ") + run.friction_description;
+    runs += (runs.empty() ? "" : " | ") + friction_and_listed(results, run);
   return heading("Inputs") + suites_html(results) +
          (results.runs.empty() ? Html() : paragraph("Friction: " + runs)) +
          wide_table(records_table(results)) + "<h3>Study file</h3>\n" +

@@ -171,15 +171,23 @@ std::size_t governing_run(const Results& results) {
 
 std::string governing_text(const Results& results) {
   const RunResults& run = results.runs[governing_run(results)];
-  if (!lists_more_than_friction_value(results)) return "friction " + run.friction_description;
+  if (!lists_more_than_friction_value(results)) return "friction " + run.friction;
   return "the combination that exceeds the clearances most often overall (" +
          run_name(results, run) + ")";
 }
 
+namespace {
+constexpr std::size_t most_friction = 60;  // characters in a line of several things
+}  // namespace
+
+std::string friction_and_listed(const Results& results, const RunResults& run) {
+  const std::string listed = results.cases.describe(combination_of(results, run), "friction.value");
+  return listed.empty() ? run.friction : run.friction + "; " + listed;
+}
+
 std::string friction_of(const Results& results, const RunResults& run) {
-  constexpr std::size_t room = 60;
-  return run.friction_description.size() <= room ? "friction " + run.friction_description
-                                                 : run_name(results, run);
+  const std::string in_full = friction_and_listed(results, run);
+  return in_full.size() <= most_friction ? "friction " + in_full : run_name(results, run);
 }
 
 namespace {
@@ -222,18 +230,15 @@ std::string cases_below(const Results& results, CaseSlice cases) {
 }
 
 std::string run_below(const Results& results, const RunResults& run) {
-  std::string friction = friction_of(results, run);
-  const std::size_t combination = combination_of(results, run);
-  const std::string listed = "; " + results.cases.describe(combination, "friction.value");
-  if (friction.ends_with(listed)) {
-    friction.resize(friction.size() - listed.size());
-    const std::vector<std::size_t> place = results.cases.places(combination);
-    for (std::size_t i = 0; i < place.size(); ++i) {
-      const CaseAxis& axis = results.cases.axes[i];
-      if (!is_of_cases_below(axis.key)) friction += "; " + axis.describe(place[i]);
-    }
+  std::string text = cases_below(results, slice_of(run)) + "; ";
+  if (run.friction.size() > most_friction) return text + run_name(results, run);
+  text += "friction " + run.friction;
+  const std::vector<std::size_t> place = results.cases.places(combination_of(results, run));
+  for (std::size_t i = 0; i < place.size(); ++i) {
+    const CaseAxis& axis = results.cases.axes[i];
+    if (!is_of_cases_below(axis.key)) text += "; " + axis.describe(place[i]);
   }
-  return cases_below(results, slice_of(run)) + "; " + friction;
+  return text;
 }
 
 std::vector<double> some_levels(const std::vector<double>& levels, std::size_t count) {

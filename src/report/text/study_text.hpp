@@ -76,6 +76,8 @@ std::size_t run_of_largest(const Results& results, const Order& order) {
 std::size_t governing_run(const Results& results);
 /// What that run is, in full.
 std::string governing_text(const Results& results);
+/// "mu normal, mean 0.55, std 0.04; building period 0.5 s".
+std::string friction_and_listed(const Results& results, const RunResults& run);
 /// "friction mu normal, mean 0.55, std 0.04" where a line has room for it, else the run's name:
 /// captions have it in full.
 std::string friction_of(const Results& results, const RunResults& run);

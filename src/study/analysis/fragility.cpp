@@ -130,7 +130,7 @@ std::string design_text(const Quantity& mu) {
                      design == 0.0 ? " (below zero: taken as 0)" : "");
 }
 
-std::string friction_text(const StudyConfig& config, const Case& c, const std::string& listed) {
+std::string friction_text(const StudyConfig& config, const Case& c) {
   const Quantity& along = config.quantities.at("friction", "mu");
   const Quantity& across = config.quantities.at("friction", "across_mu");
   const bool design = c.friction_value == FrictionValue::design;
@@ -139,7 +139,7 @@ std::string friction_text(const StudyConfig& config, const Case& c, const std::s
              : "mu " + (along.is_drawn() ? describe(along) : fmt::format("{:g}", c.friction));
   if (config.friction.across_is_given)
     text += "; across the slope " + (design ? design_text(across) : describe(across));
-  return listed.empty() ? text : text + "; " + listed;
+  return text;
 }
 
 RunResults fragility_of(const StudyConfig& config, const Results& results,
@@ -151,8 +151,7 @@ RunResults fragility_of(const StudyConfig& config, const Results& results,
   run.label = results.cases.label(combination);
   run.cases = results.cases.per_combination();
   run.first_case = combination * run.cases;
-  run.friction_description = friction_text(config, results.cases.cases[run.first_case],
-                                           results.cases.describe(combination, "friction.value"));
+  run.friction = friction_text(config, results.cases.cases[run.first_case]);
   for (std::size_t i = 0; i < band_points; ++i)
     run.band_intensities.push_back(levels.back() * static_cast<double>(i + 1) / band_points);
   run.fragilities.resize(results.thresholds_m.size());

@@ -109,7 +109,7 @@ TEST(figures, name_what_the_study_lists_once) {
   results.cases.axes.push_back({"roof.slope_deg", "deg", {2.39}, {}});
   results.cases.axes.push_back({"building.damping", "-", {0.05}, {}});
   RunResults& run = results.runs.front();
-  run.friction_description = "mu 0.5; " + results.cases.describe(0, "friction.value");
+  run.friction = "mu 0.5";
   const std::string below = fragility_figure(results, run).below;
   EXPECT_THAT(below, states("slope", "friction mu 0.5", "damping"));
   EXPECT_THAT(below, testing::Not(testing::HasSubstr("slope 2.39 deg")));

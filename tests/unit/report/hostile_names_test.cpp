@@ -93,7 +93,7 @@ TEST(hostile_names, are_text_in_scripts_and_pages) {
     results.intensity_label = results.intensity_symbol = name;
     results.runs[0].label = name;  // the main run's figures are not named by it
     results.runs.resize(1);
-    results.runs[0].friction_description = name;
+    results.runs[0].friction = name;
     for (RecordSummary& record : results.records) record.id = record.event = name;
     write_report(results, folder);
     for (const auto& entry : fs::recursive_directory_iterator(folder))

@@ -118,7 +118,7 @@ void add_run(Results& results, const std::string& label, const std::string& fric
              double median_g) {
   RunResults run;
   run.label = label;
-  run.friction_description = friction;
+  run.friction = friction;
   run.first_case = results.runs.size() * samples;
   run.cases = samples;
   fill_histories(results, run, median_g);

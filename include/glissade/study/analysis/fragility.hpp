@@ -53,8 +53,8 @@ struct SlipStatistics {
 
 /// The fragility of one combination of what the study lists, over records x samples x levels.
 struct RunResults {
-  std::string label;                 ///< "sampled", "design", "design_period_s_0.5": a file's name
-  std::string friction_description;  ///< "normal, mean 0.55, std 0.04", "mean - 2 std = 0.47"
+  std::string label;     ///< "sampled", "design", "design_period_s_0.5": a file's name
+  std::string friction;  ///< "normal, mean 0.55, std 0.04", "mean - 2 std = 0.47"
   std::uint64_t first_case = 0, cases = 0;      ///< of the histories
   std::vector<ThresholdFragility> fragilities;  ///< by threshold
   std::vector<double> band_intensities;         ///< of the bands of curve_fit()

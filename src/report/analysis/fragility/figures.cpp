@@ -104,7 +104,7 @@ Figure fragility_figure(const Results& results, const RunResults& run) {
       run_below(results, run),
       "Probability that the peak slip in plan exceeds each clearance at a given intensity, with "
       "friction " +
-          run.friction_description +
+          friction_and_listed(results, run) +
           (results.by_stripes
                ? ". Lines: lognormal curves fitted to the counts at the levels, of which each has "
                  "records of its own (multiple stripes, Baker 2015)"
@@ -170,7 +170,7 @@ Figure ida_figure(const Results& results, const RunResults& run) {
                 "incremental dynamic analysis. Grey: each record's median over the samples. "
                 "Coloured: 16th, 50th and 84th percentile over all histories (records and samples "
                 "together) at each level. Dotted: the clearances. Friction " +
-                    run.friction_description + "."};
+                    friction_and_listed(results, run) + "."};
   DataSeries records{DataSeries::Kind::line, look(Role::record), "records",
                      "each record, median over its samples"};
   std::vector<LevelSlips> slips(slip.levels);

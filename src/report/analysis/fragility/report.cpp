@@ -141,8 +141,8 @@ std::string other_run_sentence(const Results& results, const RunResults& run) {
                            format_length(fragility.threshold_m));
   }
   if (medians.empty()) return "";
-  return fmt::format("The 50 % intensities with friction {} are {}.", run.friction_description,
-                     medians);
+  return fmt::format("The 50 % intensities with friction {} are {}.",
+                     friction_and_listed(results, run), medians);
 }
 
 /// The standards table at a handful of levels, narrow enough for a terminal: the rest is in

@@ -163,7 +163,7 @@ Table combinations_table(const Results& results) {
        {"cases", "", "Cases", ColumnKind::count, "number of its cases: samples x orientations"}},
       {}};
   for (const RunResults& run : results.runs)
-    table.add({run.label, run.friction_description, static_cast<double>(run.first_case),
+    table.add({run.label, friction_and_listed(results, run), static_cast<double>(run.first_case),
                static_cast<double>(run.cases)});
   return with_listed(results, table);
 }

@@ -30,7 +30,7 @@ Figure impact_figure(const Results& results, const RunResults& run) {
           " Points: median over all histories (records and samples together) that reach it, at "
           "three levels of intensity at most; bars: 16th to 84th percentile. Clearances that fewer "
           "than three records reach are left out at that level. Friction " +
-          run.friction_description + "."};
+          friction_and_listed(results, run) + "."};
   std::vector<double> levels;  // where there is anything to show
   for (const double level : results.levels)
     if (std::ranges::any_of(run.impact, [&](const ImpactStatistics& s) {

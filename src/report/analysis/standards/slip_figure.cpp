@@ -46,7 +46,7 @@ Figure slip_vs_sds_figure(const Results& results, const RunResults& run) {
                 "Peak slip in plan over all histories at each S_DS: median, 84th and 95th "
                 "percentile and mean; shaded: 95 % intervals of the median and of the 84th "
                 "percentile from resampling whole records. Friction " +
-                    run.friction_description + "."};
+                    friction_and_listed(results, run) + "."};
   if (has_standards) {
     figure.caption +=
         " On the right: displacements prescribed by the standards; hollow points rest on "
