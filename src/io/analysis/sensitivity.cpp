@@ -20,9 +20,9 @@ AnalysisInFiles SensitivityAnalysis::in_files() {
       .table = "sensitivity",
       .keys =
           {{"", is_there<&StudyConfig::sensitivity>(),
-            "where the spread comes from: Sobol indices of the records and of each drawn quantity; "
-            "runs samples x (2 + drawn quantities) samples. Added to finished results: first order "
-            "alone, needs 32 samples or more in 8 scrambles or more, or by method monte_carlo"}},
+            "Sobol indices of the records and of each drawn quantity; runs samples x (2 + drawn "
+            "quantities) samples. Added to finished results: first order alone, of 32 samples or "
+            "more in 8 scrambles or more, or by method monte_carlo"}},
       .needs = {needs_fragility,
                 {"a quantity that is drawn",
                  [](auto&, auto& s) { return !drawn_factors(s).empty(); }},

@@ -38,13 +38,11 @@ AnalysisInFiles VerdictAnalysis::in_files() {
       .keys = {{"exceedance", "list", "[0.1, 0.05, 0.01]",
                 "probabilities of exceedance, falling: prescribed displacements are compared with "
                 "the first, which is accepted at S_DS; the displacement of each is found"}},
-      .needs =
-          {{"[standards]", [](auto& root, auto&) { return root.has("standards"); }},
-           {"a slope and a building period that are numbers or lists, not drawn (the conditions of "
-            "the standards are on the slope, and the least favourable period counts)",
-            draws_neither_slope_nor_period},
-           {"intensity.levels with 1.5 times one of them (the MCE of a design earthquake)",
-            has_level_of_mce}},
+      .needs = {{"[standards]", [](auto& root, auto&) { return root.has("standards"); }},
+                {"a slope and a building period that are numbers or lists, not drawn",
+                 draws_neither_slope_nor_period},
+                {"intensity.levels with 1.5 times one of them (the MCE of a design earthquake)",
+                 has_level_of_mce}},
       .uses = {"model.displacement", "friction.neighbour_mu", "friction.neighbour_over_mu",
                "standards.compare"},
       .stands_alone = true,

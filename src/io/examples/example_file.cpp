@@ -133,7 +133,7 @@ std::string ExampleFile::text() const {
         text += "# " + part + "\n";
     const auto known = std::ranges::find(keys, table + "." + key_of(line), &GrammarKey::name);
     if (known != keys.end()) {
-      for (const std::string& part : wrapped(known->meaning, terminal_width - 2))
+      for (const std::string& part : wrapped(known->in_full(), terminal_width - 2))
         text += "# " + part + "\n";
     }
     text += value.substr(0, value.find_last_not_of(' ') + 1) + "\n";

@@ -102,14 +102,14 @@ std::string text_of(const std::vector<GrammarKey>& keys, const std::string& want
 }
 
 std::string study_text(const GrammarKey& key) {
-  std::vector<std::string> lines{"usual: " + key.usual, key.meaning};
+  std::vector<std::string> lines{"usual: " + key.usual, key.in_full()};
   if (const KeyUnits* units = units_of_key(key.key))
     lines.push_back("units, in quotes: " + units->names());
   return explained(key.key.empty() ? "(no keys)" : key.key, key.value, lines);
 }
 
 std::string project_text(const GrammarKey& key) {
-  return explained(key.key, "for example " + key.value, {key.meaning});
+  return explained(key.key, "for example " + key.value, {key.in_full()});
 }
 
 }  // namespace
@@ -155,34 +155,73 @@ std::string nearest_grammar_key(const std::string& wanted) {
   return nearest_word(wanted.substr(wanted.find('.') + 1), names);  // of table.key the key
 }
 
-std::string grammar_page() {
-  std::string page =
-      "# The keys of a study file\n\n"
-      "Made by `glissade explain --markdown`; do not edit. A *list* is [1, 2, 4] or { from, to, "
-      "count, spacing }, with spacing \"linear\" (where absent) or \"log\". A *quantity* is a "
-      "number; a list (every value is run, in all combinations); { mean, std }, a normal "
-      "distribution within the range; or a distribution (a value is drawn for each sample): " +
-      distributions_text() +
-      ".\n\n"
-      "A number is in the unit at the end of its key (a level in the unit of its measure), or is "
-      "written with one of these units, in quotes: `\"18 in\"`, `\"0.25:12\"`. A list may mix "
-      "them.\n\n"
-      "| key | units |\n|---|---|\n";
-  for (const KeyUnits& row : all_key_units())
-    page += fmt::format("| `{}` | {} |\n", row.suffix, row.names());
-  std::string table;
-  for (const GrammarKey& key : grammar()) {
-    if (key.table != table)
-      page += fmt::format(
-          "\n## [{}]\n\n| key | value | where absent | meaning |\n|---|---|---|---|\n", key.table);
+namespace {
+
+std::string row_of(const std::vector<std::string>& cells) {
+  return fmt::format("| {} |\n", fmt::join(cells, " | "));
+}
+
+std::string head_of(const std::vector<std::string>& columns) {
+  std::string rule = "|";
+  for (std::size_t i = 0; i < columns.size(); ++i) rule += "---|";
+  return row_of(columns) + rule + "\n";
+}
+
+/// A table of the page for each table of the file.
+template <class Cells>
+std::string keys_page(const std::vector<GrammarKey>& keys, const std::vector<std::string>& columns,
+                      Cells cells) {
+  std::string page, table;
+  for (const GrammarKey& key : keys) {
+    if (key.table != table) page += fmt::format("\n### [{}]\n\n", key.table) + head_of(columns);
     table = key.table;
-    page += fmt::format("| {} | {} | {} | {} |\n", key.key.empty() ? "" : "`" + key.key + "`",
-                        key.value == list_value       ? "list"
-                        : key.value == quantity_value ? "quantity"
-                                                      : key.value,
-                        key.usual, key.meaning);
+    page += row_of(cells(key));
   }
   return page;
+}
+
+std::vector<std::string> study_cells(const GrammarKey& key) {
+  return {key.key.empty() ? "" : "`" + key.key + "`",
+          key.value == list_value       ? "list"
+          : key.value == quantity_value ? "quantity"
+                                        : key.value,
+          key.usual, key.meaning, key.needs};
+}
+
+std::vector<std::string> project_cells(const GrammarKey& key) {
+  return {"`" + key.key + "`", "`" + key.value + "`", key.meaning};
+}
+
+}  // namespace
+
+std::string grammar_page() {
+  std::string page =
+      "# The keys of a study, a project and a product sheet\n\n"
+      "Made by `glissade explain --markdown`; do not edit.\n\n"
+      "A number is in the unit at the end of its key (a level in the unit of its measure), or is "
+      "written with one of these units, in quotes: `\"18 in\"`, `\"0.25:12\"`. A list may mix "
+      "them.\n\n" +
+      head_of({"key", "units"});
+  for (const KeyUnits& row : all_key_units())
+    page += row_of({fmt::format("`{}`", row.suffix), row.names()});
+  page +=
+      "\n## Keys of a study\n\n"
+      "- *list*: [1, 2, 4], or { from, to, count, spacing }, with spacing \"linear\" (where "
+      "absent) or \"log\"\n"
+      "- *quantity*: a number; a list (every value is run, in all combinations); { mean, std }, a "
+      "normal distribution within the range; or a distribution (a value is drawn for each "
+      "sample): " +
+      distributions_text() + "\n" +
+      keys_page(grammar(), {"key", "value", "where absent", "meaning", "needs"}, study_cells) +
+      "\n### Intensity measures\n\n" + head_of({"`intensity.measure`", "unit", "levels are of"});
+  for (std::size_t i = 0; i < IntensityMeasure::count(); ++i) {
+    const IntensityMeasure m = IntensityMeasure::number(i);
+    page += row_of({fmt::format("`{}`", m.key()), m.unit(), m.meaning()});
+  }
+  const std::vector<std::string> columns = {"key", "example", "meaning"};
+  return page + "\n## Keys of a project\n" + keys_page(project_grammar(), columns, project_cells) +
+         "\n## Keys of a product sheet\n\nBeside those of a study, but [study] and [intensity].\n" +
+         keys_page(product_grammar(), columns, project_cells);
 }
 
 }  // namespace glissade

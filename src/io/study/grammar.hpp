@@ -14,7 +14,10 @@ struct GrammarKey {
   std::string value;    ///< what may be given
   std::string usual;    ///< where the key is absent; "required"
   std::string meaning;  ///< with its unit
+  std::string needs;    ///< without which it has no effect: "[model] axes = 2"
   std::string name() const { return table + "." + key; }
+  /// Meaning and needs.
+  std::string in_full() const { return needs.empty() ? meaning : meaning + "; needs " + needs; }
 };
 const std::vector<GrammarKey>& grammar();
 /// Whether some keys have "building", "building.period_s" or, within the value of a key,

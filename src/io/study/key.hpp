@@ -60,7 +60,7 @@ struct Key : GrammarKey {
 
   Key(const char* name, std::string given, std::string otherwise, std::string what,
       std::vector<Need<C>> what_for = {})
-      : GrammarKey{"", name, std::move(given), std::move(otherwise), std::move(what)},
+      : GrammarKey{"", name, std::move(given), std::move(otherwise), std::move(what), ""},
         needs(std::move(what_for)) {}
   Key(const char* name, auto how, std::string what, std::vector<Need<C>> what_for = {})
       : Key(name, how.value, how.usual, std::move(what), std::move(what_for)) {
@@ -92,7 +92,7 @@ void read_keys(const std::vector<KeyTable<C>>& tables, std::initializer_list<con
     read_keys(std::ranges::find(tables, name, &KeyTable<C>::name)->keys, root.table(name), config);
 }
 
-/// The rows, with "; needs A and B" behind what they mean.
+/// The rows, with "A and B" of what they need.
 template <class C>
 std::vector<GrammarKey> in_words(const std::vector<KeyTable<C>>& tables) {
   std::vector<GrammarKey> all;
@@ -102,8 +102,7 @@ std::vector<GrammarKey> in_words(const std::vector<KeyTable<C>>& tables) {
       for (const Need<C>& need : row.needs) needs.push_back(need.what);
       all.push_back(row);
       all.back().table = table.name;
-      if (!needs.empty())
-        all.back().meaning += fmt::format("; needs {}", fmt::join(needs, " and "));
+      all.back().needs = fmt::format("{}", fmt::join(needs, " and "));
       needs.clear();
     }
   }

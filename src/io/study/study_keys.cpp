@@ -32,11 +32,9 @@ const StudyNeed needs_all_levels{"a study without suite.stripes",
                                  [](auto&, auto& s) { return !s.by_stripes; }};
 
 std::string measures() {
-  std::string text;
-  for (std::size_t i = 0; i < IntensityMeasure::count(); ++i) {
-    const IntensityMeasure m = IntensityMeasure::number(i);
-    text += fmt::format("{}{} ({}): {}", i > 0 ? "; " : "", m.key(), m.unit(), m.meaning());
-  }
+  std::string text = "what levels are of (each: glissade explain NAME): ";
+  for (std::size_t i = 0; i < IntensityMeasure::count(); ++i)
+    text += (i > 0 ? ", " : "") + std::string(IntensityMeasure::number(i).key());
   return text;
 }
 
@@ -122,10 +120,8 @@ std::vector<StudyTable> tables_of_cases() {
        {{"measure", "name", "required", measures()},
         {"levels", list_value, "required", "the levels, increasing, in the measure's unit"},
         {"scaling_rule", reads<intensity, &IntensityConfig::scaling_rule>(scaling_rule_names),
-         "how a suite is scaled to its design spectrum: by Walters et al. (2012), or by a clause "
-         "of "
-         "ASCE 7 (suites/README.md), at DBE and MCE. With sds_g the study scales the suite as a "
-         "whole; with mce_fraction its file must"},
+         "how a suite is scaled to its design spectrum (suites/README.md). With sds_g the study "
+         "scales the suite as a whole; with mce_fraction its file must"},
         {"to_1_5_t", reads<intensity, &IntensityConfig::to_one_and_a_half>(),
          "asce7_16, asce7_22: up to 1.5 times the longest period in place of 2, where a dynamic "
          "analysis justifies it (16.2.3.1)"},
@@ -142,10 +138,9 @@ std::vector<StudyTable> tables_of_cases() {
          "{ edition, ss_g, s1_g, site_class or site_classes, tl_s, hazard_analysis }, { edition, "
          "sds_g, sd1_g, tl_s } or { edition, spectrum }",
          "that of the suite",
-         "the design spectrum: shape for sds_g, demand for building.response_modification; "
-         "site_class is a letter or \"default\"; spectrum is a CSV file with the columns period_s "
-         "and design_sa_g or mce_sa_g; hazard_analysis states the exception of ASCE 7-16, 11.4.8, "
-         "that is taken, or the report of the analysis",
+         "the design spectrum: shape for sds_g, demand for building.response_modification. "
+         "site_class: a letter or \"default\"; spectrum: a CSV file (period_s, design_sa_g or "
+         "mce_sa_g); hazard_analysis: the exception of 11.4.8 that is taken, or the report",
          {{"measure = \"sds_g\" or \"mce_fraction\", or building.response_modification",
            [](auto&, auto& s) {
              return s.intensity.measure.is_of_design_spectrum() ||
@@ -173,12 +168,10 @@ std::vector<StudyTable> tables_of_cases() {
              "masses of its floors from the ground up; only their ratios count"},
             {"storey_stiffnesses", list_value, "equal", "stiffnesses of its storeys, likewise"},
             {"modes", modes, "one mass",
-             "the building's modes along its first axis, the longest period first, six at most: "
-             "participation is that at the array (gamma in theory.md, 2.5), mass_share the "
-             "effective "
-             "modal mass over the building's mass; damping only if it is not building.damping for "
-             "all. "
-             "period_s and period_ratio then scale the listed periods"},
+             "the building's modes along its first axis, the longest period first, six at most "
+             "(theory.md, 2.5): participation at the array, effective modal mass over the "
+             "building's, damping if not building.damping. period_s and period_ratio scale the "
+             "periods"},
             {"modes_across", modes, "modes", "the same along the second axis"}})},
       {"vertical", quantities_of("vertical", {{"use", reads<&StudyConfig::vertical>(vertical_names),
                                                "whether the vertical ground motion acts"}})},
