@@ -358,8 +358,8 @@ std::vector<DesignCheck> checks_before_analysis(const Project& project, std::siz
   std::vector<DesignCheck> checks;
   checks.push_back({"records", fmt::format("{}", records),
                     fmt::format("{} or more; of fewer the largest counts in place of the mean "
-                                "(SEAOC PV1-2012)",
-                                least_records),
+                                "(SEAOC PV1-2012); {} by ASCE 7-16, 16.2.2, for structures",
+                                least_records, 11),
                     records >= least_records});
   if (project.site.mapped) checks.push_back(site_specific_check(project.site));
   const ProjectFriction& mu = project.friction;
@@ -373,10 +373,17 @@ std::vector<DesignCheck> checks_before_analysis(const Project& project, std::siz
                    "support less",
                    least_supported),
        is_supported});
-  if (mu.tests)
-    checks.push_back({"pull tests behind the friction", fmt::format("{}", *mu.tests),
+  if (mu.tests) {
+    const auto others = mu.traces.size() - std::ranges::count_if(mu.traces, meets_provision);
+    checks.push_back({"pull tests behind the friction",
+                      fmt::format("{}", *mu.tests) +
+                          (others == 0 ? ""
+                                       : fmt::format("; {} of {} in all directions are shorter "
+                                                     "or at another speed",
+                                                     others, mu.traces.size())),
                       fmt::format("{} or more: {}", least_pull_tests, pull_test_provision()),
-                      *mu.tests >= least_pull_tests});
+                      *mu.tests >= least_pull_tests && others == 0});
+  }
   return checks;
 }
 

@@ -47,6 +47,7 @@ std::string PrescribedValue::violated() const {
 ArrayFacts facts_of(const Project& project, const SiteValues& site) {
   return {.slope_deg = project.slope_deg.back(),
           .friction = project.friction.design(),
+          .test_standard = project.friction.test_standard,
           .risk = project.site.risk,
           .storeys = project.building.storeys,
           .centre_of_mass_m = project.array.centre_of_mass_m,
@@ -58,10 +59,10 @@ ArrayFacts facts_of(const Project& project, const SiteValues& site) {
 std::vector<PrescribedValue> prescribed_values(const Project& project, const SiteValues& site) {
   const ArrayFacts facts = facts_of(project, site);
   return {{Standard::asce7_16, asce7_16_displacement(site.sds_g, project.importance),
-           conditions_of(Standard::asce7_16, facts), 0.8,
+           conditions_of(Standard::asce7_16, facts), least_share(Standard::asce7_16),
            "80 % of the prescribed value, unless the analysis is peer reviewed"},
           {Standard::seaoc_pv1_2012, seaoc_pv1_2012_displacement(site.sds_g, site.category),
-           conditions_of(Standard::seaoc_pv1_2012, facts), 0.5,
+           conditions_of(Standard::seaoc_pv1_2012, facts), least_share(Standard::seaoc_pv1_2012),
            "half of the prescribed value, unless the analysis is peer reviewed"}};
 }
 

@@ -128,16 +128,9 @@ std::vector<std::string> notes_on_provision(const PullTestSummary& summary,
     if (!tests.empty()) notes.push_back(fmt::format("{}: test {}: {}", d.direction, tests, what));
   };
   add(tests_with(summary, d.direction,
-                 [&](const TraceFriction& t) {
-                   return summary.rule.sliding_from_m + t.travel_m < least_pull_m;
-                 }),
+                 [&](const TraceFriction& t) { return is_too_short(t, summary.rule); }),
       "pulled over less than 3 in");
-  add(tests_with(summary, d.direction,
-                 [](const TraceFriction& t) {
-                   constexpr double rounding = 1e-9;
-                   return t.speed_mps < slowest_pull_mps * (1.0 - rounding) ||
-                          t.speed_mps > fastest_pull_mps * (1.0 + rounding);
-                 }),
+  add(tests_with(summary, d.direction, is_at_other_speed),
       fmt::format("not pulled at {:g} to {:g} mm/s", 1e3 * slowest_pull_mps,
                   1e3 * fastest_pull_mps));
   return notes;

@@ -109,6 +109,20 @@ std::string pull_test_provision() {
       least_pull_tests, least_pull_m, 1e3 * slowest_pull_mps, 1e3 * fastest_pull_mps);
 }
 
+bool is_too_short(const TraceFriction& test, const SlidingRule& rule) {
+  return rule.sliding_from_m + test.travel_m < least_pull_m;
+}
+
+bool is_at_other_speed(const TraceFriction& test) {
+  constexpr double rounding = 1e-9;
+  return test.speed_mps < slowest_pull_mps * (1.0 - rounding) ||
+         test.speed_mps > fastest_pull_mps * (1.0 + rounding);
+}
+
+bool meets_provision(const TraceFriction& test) {
+  return !is_too_short(test, SlidingRule{}) && !is_at_other_speed(test);
+}
+
 void validate(const SlidingRule& rule) {
   ProblemList problems;
   if (!(rule.slip_m > 0.0) || !std::isfinite(rule.slip_m))

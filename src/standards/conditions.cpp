@@ -50,6 +50,24 @@ CodeCondition centre_of_mass(const ArrayFacts& array) {
   return condition;
 }
 
+/// Where no tests are named, of the value alone.
+CodeCondition tested_friction(double limit, const ArrayFacts& array) {
+  constexpr const char* required = "ASTM G115";
+  const std::string by = !array.test_standard           ? ""
+                         : array.test_standard->empty() ? ", standard of the tests not stated"
+                                                        : ", tests by " + *array.test_standard;
+  CodeCondition condition = row(
+      "coefficient of friction", fmt::format("{:g} or more (tests by {})", limit, required),
+      array.friction, [&](double mu) { return number(mu) + by; },
+      [&](double mu) { return mu >= limit * (1.0 - rounding); });
+  if (condition.is_met != true || !array.test_standard) return condition;
+  if (array.test_standard->empty())
+    condition.is_met.reset();
+  else
+    condition.is_met = array.test_standard->find(required) != std::string::npos;
+  return condition;
+}
+
 CodeCondition interconnection(const ArrayFacts& array) {
   const double required = std::max(0.133 * array.sds_g.value_or(0.0), 0.1);
   return row("horizontal strength across any section, over the weight of its lighter side",
@@ -72,8 +90,7 @@ std::vector<CodeCondition> conditions_of(Standard standard, const ArrayFacts& ar
   std::vector<CodeCondition> rows{
       row("roof slope", (pv1 ? "" : "1 in 20, ") + degrees(slope_deg) + " or less", array.slope_deg,
           degrees, [&](double slope) { return std::abs(slope) <= slope_deg * (1.0 + rounding); }),
-      row("coefficient of friction", fmt::format("{:g} or more (tests by ASTM G115)", friction),
-          array.friction, number, [&](double mu) { return mu >= friction * (1.0 - rounding); }),
+      tested_friction(friction, array),
       row(
           "risk category", "I, II or III", array.risk,
           [](RiskCategory risk) { return to_string(risk); },
@@ -92,6 +109,8 @@ bool is_within(Standard standard, const ArrayFacts& array) {
                              [](const CodeCondition& c) { return c.is_met.value_or(true); });
 }
 
+double least_share(Standard standard) { return standard == Standard::seaoc_pv1_2012 ? 0.5 : 0.8; }
+
 std::string analysis_provision(Standard standard) {
   return standard == Standard::seaoc_pv1_2012
              ? "SEAOC PV1-2012 describes an analysis under 3 or more motions of the roof that "
@@ -109,7 +128,8 @@ std::string not_met_text(const std::vector<CodeCondition>& conditions, bool unkn
   std::string text;
   for (const CodeCondition& c : conditions) {
     if (!c.is_met.value_or(!unknown))
-      text += fmt::format("{}{}: {}", text.empty() ? "" : "; ", c.text(), c.found);
+      text +=
+          fmt::format("{}{}: {}, required {}", text.empty() ? "" : "; ", c.what, c.found, c.limit);
   }
   return text;
 }

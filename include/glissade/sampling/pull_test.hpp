@@ -56,6 +56,13 @@ struct TraceFriction {
   double speed_mps;           ///< its mean; NaN where times are not logged
 };
 
+/// Whether the pull is shorter than, or at another speed than, the provision asks. A speed that is
+/// not known is not another one.
+bool is_too_short(const TraceFriction& test, const SlidingRule& rule);
+bool is_at_other_speed(const TraceFriction& test);
+/// Neither, by the usual rule.
+bool meets_provision(const TraceFriction& test);
+
 /// Throws InputError at the place of the test if the array does not slide or is pushed backwards,
 /// or if the friction is not between 0 and largest_friction.
 TraceFriction friction_of(const PullTest& test, const SlidingRule& rule);

@@ -19,6 +19,7 @@ double friction_limit(Standard standard);   ///< this or more
 /// Of an array and the building below it; none: not known.
 struct ArrayFacts {
   std::optional<double> slope_deg, friction;
+  std::optional<std::string> test_standard;  ///< of the tests of friction
   std::optional<RiskCategory> risk;
   std::optional<double> storeys;
   std::optional<double> centre_of_mass_m;   ///< above the roof
@@ -43,10 +44,14 @@ std::vector<CodeCondition> conditions_of(Standard standard, const ArrayFacts& ar
 /// None is known not to be met.
 bool is_within(Standard standard, const ArrayFacts& array);
 
+/// Of the prescribed displacement, what an analysis without peer review may not go below.
+double least_share(Standard standard);
+
 /// What a standard requires of an analysis in place of its prescribed displacement, a sentence.
 std::string analysis_provision(Standard standard);
 
-/// Of conditions that are not met or, with `unknown`, not known: "storeys of 6 or fewer: 10".
+/// Of conditions that are not met or, with `unknown`, not known: "storeys: 10, required 6 or
+/// fewer".
 std::string not_met_text(const std::vector<CodeCondition>& conditions, bool unknown = true);
 
 }  // namespace glissade

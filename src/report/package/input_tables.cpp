@@ -251,16 +251,6 @@ Table friction_table(const CalculationPackage& package) {
   return std::move(rows).table();
 }
 
-namespace {
-
-/// Too short, too slow or too fast for what SEAOC PV1-2012 asks for.
-bool is_outside_provision(const TraceFriction& t) {
-  return t.travel_m < least_pull_m || t.speed_mps < slowest_pull_mps ||
-         t.speed_mps > fastest_pull_mps;
-}
-
-}  // namespace
-
 Table pull_tests_table(const ProjectFriction& friction) {
   Table table{"pull_tests",
               "Pull tests",
@@ -270,7 +260,7 @@ Table pull_tests_table(const ProjectFriction& friction) {
               {}};
   for (const TraceFriction& t : friction.traces)
     table.add(
-        {t.direction, t.test + (is_outside_provision(t) ? " *" : ""),
+        {t.direction, t.test + (!meets_provision(t) ? " *" : ""),
          fmt::format("{:.3f}", t.sliding_mu), length_in(t.travel_m),
          std::isfinite(t.speed_mps) ? fmt::format("{:.3g}", 1e3 * t.speed_mps) : std::string("-")});
   if (friction.traces.empty())
@@ -283,8 +273,8 @@ Table pull_tests_table(const ProjectFriction& friction) {
                                       d.direction,
                                       d.direction == friction.direction ? " (taken)" : "",
                                       d.sliding.mean, d.sliding.std, d.sliding.mean_minus_2_std));
-  if (std::ranges::any_of(friction.traces, is_outside_provision))
-    table.notes.push_back("* " + pull_test_provision() + ".");
+  if (!std::ranges::all_of(friction.traces, meets_provision))
+    table.notes.push_back("* does not meet this: " + pull_test_provision() + ".");
   return friction.traces.empty() ? table.without("travel").without("speed") : table;
 }
 

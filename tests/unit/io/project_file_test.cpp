@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "glissade/io/project_file.hpp"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 
 #include <cmath>
@@ -434,11 +435,43 @@ TEST_F(ProjectFile, conditions_of_both_standards_are_of_storeys_and_risk_too) {
   }
 }
 
+// SEAOC PV1-2012 asks for 3 in or more at 0.1 to 10 mm/s.
+TEST_F(ProjectFile, pull_tests_at_another_speed_do_not_meet_their_check) {
+  const auto check_of = [&](double speed_mmps) {
+    std::string pulls = "test,direction,time_s,displacement_mm,force_n,normal_n\n";
+    for (const auto& [test, force_n] : {std::pair{"A", 550}, {"B", 540}, {"C", 530}})
+      for (const double s_mm : {0, 30, 80, 130, 180, 230})
+        pulls += fmt::format("{},along,{},{},{},1000\n", test, s_mm / speed_mmps, s_mm, force_n);
+    folder_.write("pulls.csv", pulls);
+    return checks_before_analysis(
+               read(changed("mu = { mean = 0.5, std = 0.04 }\nsource = \"report 7\"",
+                            "file = \"pulls.csv\"")),
+               7)
+        .back();
+  };
+  EXPECT_TRUE(check_of(10.0).is_met) << check_of(10.0).found;
+  EXPECT_FALSE(check_of(25.0).is_met);
+  EXPECT_THAT(check_of(25.0).found, testing::HasSubstr("3 of 3"));
+}
+
+TEST_F(ProjectFile, a_hazard_analysis_is_an_exception_or_a_report) {
+  const auto stating = [&](const std::string& what) {
+    return changed("site_class = \"default\"",
+                   "site_class = \"default\"\nhazard_analysis = \"" + what + "\"");
+  };
+  EXPECT_THAT(problems_of(stating("none")),
+              one_problem("p.toml:8", "site.hazard_analysis", "none", "exception 1"));
+  EXPECT_TRUE(problems_of(stating("exception 2 of 11.4.8")).empty());
+  EXPECT_TRUE(problems_of(stating("report 14 of Smith, 2026")).empty());
+}
+
 TEST_F(ProjectFile, states_what_the_standards_ask_of_the_array) {
   const std::string text =
       "[array]\ncentre_of_mass_m = \"18 in\"\nsupport_spacing_m = \"5 ft\"\n"
       "interconnection = 0.2\n\n[building]\nstoreys = 2\n";
-  const Project project = read(changed("[building]\n", text));
+  std::string stated = changed("[building]\n", text);
+  stated.replace(stated.find("[friction]\n"), 11, "[friction]\ntest_standard = \"ASTM G115\"\n");
+  const Project project = read(stated);
   EXPECT_DOUBLE_EQ(project.array.centre_of_mass_m.value(), 0.4572);
   for (const PrescribedValue& value : prescribed_values(project, site_values(project.site)))
     EXPECT_EQ(value.not_met(), "");

@@ -4,6 +4,7 @@
 
 #include <gmock/gmock.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "glissade/core/units.hpp"
@@ -69,7 +70,23 @@ TEST(conditions, end_at_their_limits) {
     ArrayFacts essential = accepted();
     essential.risk = RiskCategory::iv;
     EXPECT_THAT(not_met_text(conditions_of(standard, essential)),
-                testing::HasSubstr("risk category of I, II or III: IV"));
+                testing::HasSubstr("risk category: IV, required I, II or III"));
+  }
+}
+
+// Friction of 0.4 or more counts where its tests are stated to be by ASTM G115.
+TEST(conditions, of_friction_are_of_its_tests_too) {
+  for (const Standard standard : both) {
+    const auto met = [&](double mu, std::optional<std::string> test_standard) {
+      const auto rows = conditions_of(standard, {.friction = mu, .test_standard = test_standard});
+      return std::ranges::find(rows, "coefficient of friction", &CodeCondition::what)->is_met;
+    };
+    EXPECT_EQ(met(0.5, "ASTM G115-10"), true);
+    EXPECT_EQ(met(0.5, "in-house drag test"), false);
+    EXPECT_EQ(met(0.5, ""), std::nullopt);
+    EXPECT_EQ(met(0.3, ""), false);
+    EXPECT_EQ(met(0.3, "ASTM G115"), false);
+    EXPECT_EQ(met(0.5, std::nullopt), true);  // of charts, which know no tests
   }
 }
 
