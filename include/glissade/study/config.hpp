@@ -147,7 +147,8 @@ struct StudyConfig : Analyses::InStudy {
   std::string source_text;     ///< the study file, verbatim
   /// Texts of the files that it names but suites (pull tests, curves, spectra), by their names.
   std::map<std::string, std::string> data_files;
-  std::string hashed_text;  ///< the study file with all quantities in the units of their keys
+  std::string hashed_text;  ///< the study file with all quantities in the units of their keys, and
+                            ///< files without their folders
   std::vector<std::filesystem::path> suite_files;  ///< one at least, resolved
   bool by_stripes = false;  ///< multiple stripes: the records of suite i are run at level i alone
   std::vector<std::string> records;  ///< ids of the records to run; empty: all

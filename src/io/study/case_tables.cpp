@@ -177,6 +177,7 @@ void read_friction(const TomlTable& table, const std::vector<FrictionValue>& usu
       read_choices<FrictionValue>(table, "value", friction_value_names).value_or(usual);
   study.friction.across_is_given = table.has("across_mu");
   if (table.has("file")) {
+    table.hash_without_folders("file");
     read_tested_friction(table, study);
   } else if (!table.has("mu") && table.exists()) {
     table.report_missing("mu",

@@ -14,6 +14,7 @@ namespace {
 /// The columns are the study's intensity measure and the annual rate of exceeding it.
 std::optional<HazardCurve> read_curve(const TomlTable& table, const std::string& measure) {
   const std::string name = table.required_text("curve");
+  table.hash_without_folders("curve");
   if (name.empty()) return {};
   std::vector<HazardPoint> points;
   const auto take = [&](const NumberRow& of_file) -> RowTrouble {

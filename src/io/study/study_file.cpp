@@ -98,6 +98,7 @@ void read_intensity(const TomlTable& table, const NumberRule& level_rule,
 /// One suite by `file`, several by `files`, or one for each level by `stripes`.
 void read_suites(const TomlTable& table, StudyConfig& study) {
   std::vector<std::string> names;
+  for (const char* path : {"file", "files", "stripes"}) table.hash_without_folders(path);
   const char* key = table.has("stripes") ? "stripes" : table.has("files") ? "files" : "file";
   for (const char* other : {"file", "files"}) {
     if (key != std::string(other) && table.has(other) && key != std::string("file"))
@@ -208,7 +209,7 @@ StudyConfig read_study(const std::filesystem::path& file, TextFiles& files) {
   check_size(root, study);
   document.finish();
   if (study.units == UnitSystem::us_customary) study.unmarked_numbers = document.unmarked_numbers();
-  study.hashed_text = document.text_in_key_units();
+  study.hashed_text = document.text_to_hash();
   study.data_files = files.texts();
   study.data_files.erase(file.filename().string());
   return study;

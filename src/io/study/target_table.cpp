@@ -65,6 +65,7 @@ void read_points(const TextFile& file, DesignTarget& target) {
 
 void read_spectrum(const TomlTable& table, DesignTarget& target) {
   const std::string name = table.required_text("spectrum");
+  table.hash_without_folders("spectrum");
   if (name.empty()) return;
   try {
     read_points(table.text_file(name), target);
@@ -130,6 +131,22 @@ DesignTarget read_spectrum(const std::filesystem::path& file) {
   return target;
 }
 
+namespace {
+
+/// The exception of ASCE 7-16, 11.4.8, that is taken, or the report of the analysis.
+std::string read_hazard_analysis(const TomlTable& table) {
+  const std::string stated = table.text("hazard_analysis").value_or("");
+  if (!stated.empty() && !stated.starts_with("exception ") && !stated.starts_with("report "))
+    table.report("hazard_analysis",
+                 table.name_of("hazard_analysis") + " = \"" + stated +
+                     "\" states neither an exception nor a report",
+                 "give \"exception 1 of 11.4.8\" (or 2, 3), or \"report \" and its number, author "
+                 "and date");
+  return stated;
+}
+
+}  // namespace
+
 DesignTarget read_target(const TomlTable& table, std::optional<DesignTarget>* mapped) {
   const EnumNames<AsceEdition> editions = {{"asce7_10", AsceEdition::asce7_10},
                                            {"asce7_16", AsceEdition::asce7_16},
@@ -139,7 +156,7 @@ DesignTarget read_target(const TomlTable& table, std::optional<DesignTarget>* ma
     table.report_missing("edition",
                          "asce7_10, asce7_16 or asce7_22: their site coefficients differ");
   target.edition = table.choice<AsceEdition>("edition", editions).value_or(target.edition);
-  target.hazard_analysis = table.text("hazard_analysis").value_or("");
+  target.hazard_analysis = read_hazard_analysis(table);
   check_accelerations(table);
   const bool has_both = mapped != nullptr && table.has("spectrum") && table.has("ss_g");
   check_one_form(table, has_both);

@@ -36,13 +36,13 @@ struct TomlDocument::State {
   std::set<const void*> not_checked;
   std::function<bool(const std::string& name)> is_key;
   std::map<std::string, std::string> explained;  ///< what to suggest for keys that are none
-  /// Quantities written with a unit: where their text begins, and the number.
-  std::map<std::size_t, double> written;
+  /// Literals in quotes that text_to_hash() has otherwise: where they begin, and how.
+  std::map<std::size_t, std::string> written;
 
   /// Plain numbers of keys in m and kN, by where they begin: "height_m = 54 (177 ft)".
   std::map<std::size_t, std::string> unmarked;
 
-  void note_written(const toml::source_position& at, double value);
+  void note_written(const toml::source_position& at, const std::string& otherwise);
   Problem problem(const toml::source_position& at, std::string what, std::string suggestion) const;
   void find_unknown_keys(const toml::table& table, const std::string& path);
   /// Without keys that have no effect where their table has another fault, from which that may
@@ -98,7 +98,7 @@ std::optional<double> as_number(TomlDocument::State& document, const toml::node&
                          : as_written_number(*node.value<std::string>(), rule, table, key);
   if (!given) return std::nullopt;
   const double value = *given;
-  if (node.is_string()) document.note_written(node.source().begin, value);
+  if (node.is_string()) document.note_written(node.source().begin, shortest_decimal(value));
   const KeyUnits* units = units_of_key(*rule.unit_key ? rule.unit_key : name);
   const KeyUnits::Unit* unit = units != nullptr ? customary_unit(*units) : nullptr;
   if (node.is_number() && unit != nullptr && value != 0.0)
@@ -126,10 +126,12 @@ std::string unit_note(const std::string& name, const std::string& nearest) {
 
 }  // namespace
 
-void TomlDocument::State::note_written(const toml::source_position& at, double value) {
+void TomlDocument::State::note_written(const toml::source_position& at,
+                                       const std::string& otherwise) {
   const std::size_t place = source.offset_of(at);
   const std::string& text = source.text();
-  if (place < text.size() && (text[place] == '"' || text[place] == '\'')) written[place] = value;
+  if (place < text.size() && (text[place] == '"' || text[place] == '\''))
+    written[place] = otherwise;
 }
 
 Problem TomlDocument::State::problem(const toml::source_position& at, std::string what,
@@ -244,15 +246,15 @@ void TomlDocument::choose(std::string_view key, std::size_t element) {
 
 const std::string& TomlDocument::text() const { return state_->source.text(); }
 
-std::string TomlDocument::text_in_key_units() const {
+std::string TomlDocument::text_to_hash() const {
   std::string result;
   std::size_t copied = 0;
-  for (const auto& [begin, value] : state_->written) {
+  for (const auto& [begin, otherwise] : state_->written) {
     // A TOML string: between quotes of one kind, one or three of them.
     const std::string& text = this->text();
     const std::size_t first = text.find_first_not_of(text[begin], begin);
     const std::string quotes = text.substr(begin, first - begin);
-    result += text.substr(copied, begin - copied) + shortest_decimal(value);
+    result += text.substr(copied, begin - copied) + otherwise;
     copied = text.find(quotes, first) + quotes.size();
   }
   return result + text().substr(copied);
@@ -350,6 +352,20 @@ TextFile TomlTable::text_file(const std::string& name) const {
 
 bool TomlTable::is_there(const std::filesystem::path& file) const {
   return document_->files->is_there(file);
+}
+
+void TomlTable::hash_without_folders(std::string_view key) const {
+  const toml::node* node = find(*document_, node_, path_, key);
+  if (node == nullptr) return;
+  const auto note = [&](const toml::node& path) {
+    if (const auto text = path.value_exact<std::string>())
+      document_->note_written(path.source().begin,
+                              '"' + std::filesystem::path(*text).filename().string() + '"');
+  };
+  if (const toml::array* list = node->as_array())
+    for (const toml::node& element : *list) note(element);
+  else
+    note(*node);
 }
 
 void TomlTable::explain_unknown(std::string_view key, std::string suggestion) const {

@@ -63,8 +63,8 @@ class TomlDocument {
   void choose(std::string_view key, std::size_t element);
   const std::string& text() const;
   /// The text with every quantity that was read and is written with a unit as a number in the unit
-  /// of its key: "18 in" of a length in metres is 0.4572.
-  std::string text_in_key_units() const;
+  /// of its key, and without the folders of the paths that hash_without_folders() names.
+  std::string text_to_hash() const;
   void add(Problem problem);  ///< one that belongs to no key
   /// From now on a key, "friction.mu" or "chart.shown.level", can be read only where `is_key`
   /// holds: std::logic_error for any other, since it would be in no explanation of the keys.
@@ -140,6 +140,8 @@ class TomlTable {
   /// A file that the table names, relative to the document's folder.
   TextFile text_file(const std::string& name) const;
   bool is_there(const std::filesystem::path& file) const;
+  /// The values of a key are paths: where the files are does not change what is computed.
+  void hash_without_folders(std::string_view key) const;
   /// What to suggest where the table has a key that is none.
   void explain_unknown(std::string_view key, std::string suggestion) const;
   /// Whatever else the table contains is not to be reported as unknown: an earlier problem kept it

@@ -185,7 +185,7 @@ void hash_case(Hasher& hasher, const Case& c) {
 
 std::string hash_of(const Plan& plan) {
   Hasher hasher;
-  hasher.text("glissade plan 6").text(plan.config.hashed_text).numbers(plan.factor_at_unit_level);
+  hasher.text("glissade plan 7").text(plan.config.hashed_text).numbers(plan.factor_at_unit_level);
   const auto& own = plan.config.intensity.target;
   if (own && !own->is_mapped()) hash_target(hasher, own);  // else it is in the study's text
   if (plan.config.hazard) {

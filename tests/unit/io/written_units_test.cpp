@@ -99,6 +99,14 @@ TEST_F(WrittenUnits, leave_the_hash_of_a_study_as_with_numbers) {
   EXPECT_EQ(read(with).thresholds_m(), read(without).thresholds_m());
 }
 
+TEST_F(WrittenUnits, the_hash_of_a_study_is_without_the_folders_of_its_files) {
+  folder_.write("sub/suite.toml", "");
+  std::string moved = needed;
+  moved.replace(moved.find("\"suite.toml\""), 12, "\"sub/../sub/suite.toml\"");
+  EXPECT_EQ(read(moved).hashed_text, needed);
+  EXPECT_EQ(read(moved).source_text, moved);
+}
+
 TEST_F(WrittenUnits, that_do_not_fit_are_refused_with_those_that_do) {
   refuses({{study_part + suite_part + intensity_part + friction_part +
                 "[fragility]\nthresholds_m = [0.1, \"18 kip\"]\n",
