@@ -10,6 +10,8 @@
 #include "glissade/core/units.hpp"
 #include "glissade/design/design_clearance.hpp"
 #include "glissade/design/of_project.hpp"
+#include "glissade/standards/conditions.hpp"
+#include "glissade/standards/prescriptive.hpp"
 
 namespace glissade {
 namespace {
@@ -71,7 +73,9 @@ TargetDisplacements displacements_of(const Product& product, const ProductTarget
                             .slope_deg = chart.slope_deg,
                             .mu = chart.mu,
                             .period_s = chart.period_s};
-  const auto design_m = [&](const ChartSlip& slip) {
+  found.least_m =
+      least_share(Standard::asce7_16) * asce7_16_displacement(target.target.sds_g, 1.0).value_m;
+  const auto analysis_m = [&](const ChartSlip& slip) {
     return found.factor * (found.of_largest ? slip.envelope_m : slip.mean_m);
   };
   const std::size_t sds = level_at(results, target.target.sds_g);
@@ -85,10 +89,13 @@ TargetDisplacements displacements_of(const Product& product, const ProductTarget
       const ChartPoint& point = chart.at(sds, s, m);
       ProductDisplacement& row = found.points.emplace_back(
           ProductDisplacement{point.slope_deg, point.mu, point.largest, point.governing_period_s,
-                              design_m(point.largest)});
-      for (const ChartSlip& slip : point.by_period) row.by_period_m.push_back(design_m(slip));
+                              analysis_m(point.largest)});
+      row.is_of_standard =
+          is_within(Standard::asce7_16, {.slope_deg = row.slope_deg, .friction = row.mu});
+      row.design_m = row.is_of_standard ? std::max(row.analysis_m, found.least_m) : row.analysis_m;
+      for (const ChartSlip& slip : point.by_period) row.by_period_m.push_back(analysis_m(slip));
       if (!target.hazard) continue;
-      row.event_m = design_m(chart.at(event, s, m).largest);
+      row.event_m = analysis_m(chart.at(event, s, m).largest);
       std::vector<double> means_m;
       for (std::size_t level = 0; level < results.levels.size(); ++level)
         means_m.push_back(chart.at(level, s, m).largest.mean_m);

@@ -79,12 +79,13 @@ SheetTarget sheet_target(const Product& product, const ProductTarget& target,
 }
 
 std::string sheet_screen(const ProductSheet& sheet) {
-  std::string text = wrapped(sheet.product.name, terminal_width, 0) + "\n";
-  text += wrapped(largest_sentence(sheet), terminal_width, 2) + "\n";
+  std::string text = wrapped(sheet.product.name, terminal_width, 0) + "\n" +
+                     wrapped(largest_sentence(sheet), terminal_width, 2) + "\n\n" +
+                     to_text(design_displacements_table(sheet)) + "\n" +
+                     to_text(prescribed_displacements_table(sheet)) + "\n";
   for (const std::string& warning : warnings_of(sheet))
     text += wrapped("WARNING: " + warning, terminal_width, 2) + "\n";
-  return text + "\n" + to_text(design_displacements_table(sheet)) + "\n" +
-         to_text(prescribed_displacements_table(sheet));
+  return text;
 }
 
 bool write_product_sheet(const ProductSheet& sheet, const std::filesystem::path& out_dir,

@@ -55,14 +55,35 @@ std::vector<Cell> target_cells(const SheetTarget& of, double slope_deg) {
   return {of.target.target.sds_g, of.target.target.sd1_g, slope_deg};
 }
 
-std::string note_on_design(const ProductSheet& sheet) {
+/// "1.1 x the mean of the records".
+std::string analysis_text(const ProductSheet& sheet) {
   const TargetDisplacements& found = sheet.targets.front().found;
+  return fmt::format("{:g} x the {} of the records", found.factor,
+                     found.of_largest ? "largest" : "mean");
+}
+
+std::string note_on_design(const ProductSheet& sheet) {
   return fmt::format(
-      "{:g} x the {} of the records, rounded up to {:g} {}. Between rows and columns: the next "
-      "larger S_DS and S_D1, the next steeper slope, the next lower friction. slides: the array "
-      "slides without an earthquake.",
-      found.factor, found.of_largest ? "largest" : "mean",
-      in_unit(sheet.product.unit, sheet.product.round_up_m), unit_of(sheet));
+      "{}, rounded up to {:.3g} {}. Between rows and columns: the next larger S_DS and S_D1, the "
+      "next steeper slope, the next lower friction. slides: the array slides without an "
+      "earthquake.",
+      analysis_text(sheet), in_unit(sheet.product.unit, sheet.product.round_up_m), unit_of(sheet));
+}
+
+/// Where ASCE 7-16 has a least value, and where not.
+std::string note_on_least(const ProductSheet& sheet) {
+  std::string outside;
+  for (const double mu : sheet.targets.front().found.mu)
+    if (!is_within(Standard::asce7_16, {.friction = mu}))
+      outside += fmt::format("{}{:g}", outside.empty() ? "" : ", ", mu);
+  return fmt::format(
+      "At slopes of {:.3g} degrees or less and friction of {:g} or more: not below 80 % of the "
+      "value that ASCE 7-16, 13.6.12, prescribes, which a peer review may allow.{}",
+      slope_limit_deg(Standard::asce7_16), friction_limit(Standard::asce7_16),
+      outside.empty() ? ""
+                      : " Friction " + outside +
+                            " is outside of that exception for arrays without "
+                            "anchors.");
 }
 
 void add_frictions(const ProductSheet& sheet, Table& table) {
@@ -78,7 +99,7 @@ Table design_displacements_table(const ProductSheet& sheet) {
               "Design displacement by site, slope and friction",
               target_columns(),
               {},
-              {note_on_design(sheet)}};
+              {note_on_design(sheet), note_on_least(sheet)}};
   add_frictions(sheet, table);
   for (const SheetTarget& of : sheet.targets)
     for (std::size_t s = 0; s < of.found.slope_deg.size(); ++s) {
@@ -92,7 +113,7 @@ Table design_displacements_table(const ProductSheet& sheet) {
 
 Table displacements_by_period_table(const ProductSheet& sheet) {
   Table table{"displacements_by_period",
-              "Design displacement by building period",
+              "Displacement by building period, by the analysis alone",
               target_columns(),
               {},
               {note_on_design(sheet)}};
@@ -161,6 +182,7 @@ Table all_displacements_table(const ProductSheet& sheet) {
                                       {"p84", "84th percentile"},
                                       {"p95", "95th percentile"},
                                       {"largest", "Largest record"},
+                                      {"analysis", "By the analysis"},
                                       {"design", "Design"},
                                       {"rounded", "Rounded up"}})
     table.columns.push_back(length_column(sheet, stem, heading, 2));
@@ -171,7 +193,7 @@ Table all_displacements_table(const ProductSheet& sheet) {
       std::vector<Cell> row = target_cells(of, d.slope_deg);
       row.emplace_back(d.mu);
       for (const double length_m :
-           {d.slip.mean_m, d.slip.p84_m, d.slip.p95_m, d.slip.envelope_m, d.design_m})
+           {d.slip.mean_m, d.slip.p84_m, d.slip.p95_m, d.slip.envelope_m, d.analysis_m, d.design_m})
         row.push_back(cell_of(sheet, length_m));
       row.push_back(rounded(sheet, d.design_m));
       row.emplace_back(d.period_s);
@@ -188,19 +210,17 @@ Table prescribed_displacements_table(const ProductSheet& sheet) {
        length_column(sheet, "prescribed", "Prescribed", 1),
        length_column(sheet, "least", "80 % of it", 1)},
       {},
-      {fmt::format("An analysis gives 80 % of it or more, unless it is peer reviewed: where the "
-                   "design displacement above is less, these 80 % count. For slopes of {:.3g} "
-                   "degrees or less and friction of {:g} or more, and further conditions. Confirm "
-                   "against the adopted code.",
+      {fmt::format("For slopes of {:.3g} degrees or less and friction of {:g} or more, and further "
+                   "conditions. Confirm against the adopted code.",
                    slope_limit_deg(Standard::asce7_16), friction_limit(Standard::asce7_16))}};
   std::vector<double> levels;
   for (const SheetTarget& of : sheet.targets) levels.push_back(of.target.target.sds_g);
   std::ranges::sort(levels);
   levels.erase(std::ranges::unique(levels).begin(), levels.end());
-  constexpr double least_share = 0.8;
   for (const double sds_g : levels) {
     const double prescribed_m = asce7_16_displacement(sds_g, 1.0).value_m;
-    table.add({sds_g, cell_of(sheet, prescribed_m), cell_of(sheet, least_share * prescribed_m)});
+    table.add({sds_g, cell_of(sheet, prescribed_m),
+               cell_of(sheet, least_share(Standard::asce7_16) * prescribed_m)});
   }
   return table;
 }
