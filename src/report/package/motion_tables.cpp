@@ -77,7 +77,8 @@ Table scaled_motions_table(const CalculationPackage& package) {
              *displacement = of_roof ? "displacement" : "PGD";
   Table table{
       "scaled_motions",
-      std::string(of_roof ? "Motions of the roof as in the suite" : "Ground motions as recorded") +
+      std::string(of_roof ? "Motions of the roof as in the suite"
+                          : "Ground motions before scaling") +
           ", and factor to DBE",
       {number_column, text_column("id", "Record"), text_column("pga", acceleration),
        text_column("pgv", velocity + std::string(in_inches() ? ", in/s" : ", m/s")),
@@ -103,7 +104,7 @@ Table scaled_motions_table(const CalculationPackage& package) {
   });
   table.notes.push_back(
       (of_roof ? "Peaks: geometric mean of both horizontal components. D5-95: from 5 "
-               : "PGA, PGV and PGD: geometric mean of both horizontal components, as recorded. "
+               : "PGA, PGV and PGD: geometric mean of both horizontal components. "
                  "D5-95: from 5 ") +
       std::string("% to 95 % of the Arias intensity of both together. The factor to DBE "
                   "contains the scale of the suite") +

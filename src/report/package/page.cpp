@@ -204,11 +204,15 @@ Html motions_html(const CalculationPackage& package, const std::vector<DrawnFigu
                                text_of(spectra.rule).clause, text_of(spectra.rule).spectrum,
                                spectra.range.from_s, spectra.range.to_s);
   return paragraph(fmt::format(
-             "Suite: {}: {}. The suite, with its own scales, is multiplied by one factor, so that "
-             "{}. {} the lowest is {:.3f} times the design spectrum (at {:.3g} s), the highest "
+             "Suite: {}: {}. The suite, with its own scales, is multiplied by one factor, {:.4g} "
+             "to "
+             "DBE, so that {}. {} the lowest is {:.3f} times the design spectrum (at {:.3g} s), "
+             "the highest "
              "{:.3f} times (at {:.3g} s){}. MCE is 1.5 times DBE.",
-             package.demand.suites.front().name, package.demand.suites.front().description, rule,
-             by_walters ? "Between these periods" : "There", ratios.lowest.ratio,
+             package.demand.suites.front().name, package.demand.suites.front().description,
+             package.demand.records.front().factor_at_unit_level * dbe_level(package.project) /
+                 package.demand.records.front().suite_scale,
+             rule, by_walters ? "Between these periods" : "There", ratios.lowest.ratio,
              ratios.lowest.period_s, ratios.highest.ratio, ratios.highest.period_s,
              by_walters ? "" : fmt::format(", the mean {:.3f} times", spectra.mean_ratio))) +
          page_table(motions_table(package)) + page_table(scaled_motions_table(package)) +
@@ -468,12 +472,11 @@ SiteSheet site_sheet(const CalculationPackage& package, const std::string& folde
   SiteSheet sheet{.name = project.site_name,
                   .folder = folder,
                   .sds_g = package.design.site.sds_g,
+                  .sd1_g = package.design.site.sd1_g,
                   .friction = project.friction.design(),
                   .governing_m = package.design.governing_m,
                   .is_simulated = package.files.empty(),
                   .verdict = short_verdict(package)};
-  const DesignTarget& target = project.site.mapped ? *project.site.mapped : project.site.target;
-  if (target.s1_g > 0.0) sheet.s1_g = target.s1_g;
   for (const ProjectSeparation& s : package.design.separations)
     sheet.largest_required_m = std::max(sheet.largest_required_m, s.required.value_m);
   const ProjectBuilding& building = project.building;

@@ -56,11 +56,12 @@ void add_site(const Project& project, ProvisionRows& rows) {
       rows.add("ASCE 7-16, 21.3", "a site-specific spectrum is 80 % of the general one or more",
                Section::checks);
   }
-  rows.add(edition + "table 1.5-2", "I_e of the risk category", Section::criteria, "[7]");
+  rows.add(edition + "table 1.5-2", "I_e of the risk category", Section::criteria,
+           is_7_16 ? "[7]" : "");
   rows.add(edition + "11.6", "seismic design category", Section::criteria, is_7_16 ? "[7]" : "");
   if (!project.of_roof && project.building.approximate_period_s)
     rows.add(edition + "12.8-7, table 12.8-2", "T_a = C_t h^x", Section::building,
-             project.building.system_is_checked ? "[7]" : "");
+             is_7_16 && project.building.system_is_checked ? "[7]" : "");
 }
 
 void add_asce7_16(const Project& project, ProvisionRows& rows) {

@@ -135,11 +135,11 @@ std::string separation_lines(const CalculationPackage& package) {
 
 std::string package_screen(const CalculationPackage& package) {
   const LengthUnits units(package.project.units);
-  std::string text = wrapped(package.project.title.name, terminal_width, 0) + "\n";
+  std::string text = wrapped(package.project.title.name, terminal_width, 0) + "\n" +
+                     governing_lines(package) + separation_lines(package) + "\n";
   for (const std::string& warning : shown_warnings(package))
     text += wrapped("WARNING: " + warning, terminal_width, 2) + "\n";
-  return text + inputs_lines(package) + demand_lines(package) + governing_lines(package) +
-         separation_lines(package);
+  return text + inputs_lines(package) + demand_lines(package);
 }
 
 }  // namespace glissade

@@ -24,7 +24,7 @@ Table sites_table(const SiteSheets& sheets) {
   Table table{
       "sites",
       "Sites: governing displacement, largest required separation, verdict",
-      {text_column("site", "Site"), text_column("sds", "S_DS"), text_column("s1", "S_1"),
+      {text_column("site", "Site"), text_column("sds", "S_DS"), text_column("sd1", "S_D1"),
        text_column("friction", "Friction"), text_column("governing", "Governing displacement"),
        text_column("required", "Largest required separation"), text_column("verdict", "Verdict"),
        text_column("folder", "Package")},
@@ -32,8 +32,7 @@ Table sites_table(const SiteSheets& sheets) {
       {"Friction: mean - 2 std. Verdict: on the clearances that are stated; open: see the "
        "page of the site."}};
   for (const SiteSheet& site : sheets.sites)
-    table.add({site.name, fmt::format("{:.3f} g", site.sds_g),
-               site.s1_g ? fmt::format("{:.3f} g", *site.s1_g) : std::string("-"),
+    table.add({site.name, fmt::format("{:.3f} g", site.sds_g), fmt::format("{:.3f} g", site.sd1_g),
                fmt::format("{:.3f}", site.friction), length_in(site.governing_m),
                length_in(site.largest_required_m), site.verdict, site.folder});
   return table;

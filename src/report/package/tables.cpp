@@ -36,10 +36,11 @@ std::string required_ft(double length_m) {
   return fmt::format("{:.2f}", rounded_up(length_m / foot_m, 0.01));
 }
 
-/// "2.5 % [0 %, 44 %]"
-std::string share_text(const ExceedanceAt& e) {
-  return fmt::format("{} [{}, {}]", format_share(e.probability), format_share(e.interval.low),
-                     format_share(e.interval.high));
+Cell cell_of(const ExceedanceAt& e) { return SignedEstimate{{e.probability, e.interval}}; }
+
+/// Of probabilities with their intervals.
+Column share_column(const char* stem, const std::string& heading) {
+  return {stem, "", heading + " [95 %]", ColumnKind::share, "", true};
 }
 
 }  // namespace
@@ -335,20 +336,21 @@ Table exceedance_table(const CalculationPackage& package) {
   const Project& project = package.project;
   const double dbe = dbe_level(project), mce = mce_over_dbe * dbe;
   const auto at = [&](const char* level, const char* name, double intensity) {
-    return project.of_roof ? fmt::format("At {}, factor {:g} [95 %]", level, intensity)
-                           : fmt::format("At {}, {} = {:.3f} g [95 %]", level, name, intensity);
+    return project.of_roof ? fmt::format("At {}, factor {:g}", level, intensity)
+                           : fmt::format("At {}, {} = {:.3f} g", level, name, intensity);
   };
-  Table table{"exceedance",
-              fmt::format("Probability that the displacement exceeds the governing one, {}",
-                          length_in_both(package.design.governing_m)),
-              {text_column("period", "Building period"), text_column("dbe", at("DBE", "S_DS", dbe)),
-               text_column("mce", at("MCE", "S_MS", mce))},
-              {}};
+  Table table{
+      "exceedance",
+      fmt::format("Probability that the displacement exceeds the governing one, {}",
+                  length_in_both(package.design.governing_m)),
+      {text_column("period", "Building period"), share_column("dbe", at("DBE", "S_DS", dbe)),
+       share_column("mce", at("MCE", "S_MS", mce))},
+      {}};
   const std::vector<ExceedanceAt>& dbe_then_mce = package.design.exceedance;
   const std::size_t periods = dbe_then_mce.size() / 2;
   for (std::size_t p = 0; p < periods; ++p)
-    table.add({fmt::format("{:.3g} s", dbe_then_mce[p].period_s), share_text(dbe_then_mce[p]),
-               share_text(dbe_then_mce[periods + p])});
+    table.add({fmt::format("{:.3g} s", dbe_then_mce[p].period_s), cell_of(dbe_then_mce[p]),
+               cell_of(dbe_then_mce[periods + p])});
   table.notes.push_back(fmt::format(
       "The probability is the observed share of the histories, without a fitted curve. {} drawn "
       "within the project's ranges, and the orientation; the slope is the "
@@ -373,16 +375,15 @@ Table compared_table(const CalculationPackage& package) {
   const DesignClearance& design = package.design;
   Table table{"compared",
               "Probability that each available clearance is not sufficient",
-              {text_column("displacement", "Displacement"), text_column("dbe", "At DBE [95 %]"),
-               text_column("mce", "At MCE [95 %]")},
+              {text_column("displacement", "Displacement"), share_column("dbe", "At DBE"),
+               share_column("mce", "At MCE")},
               {}};
   const bool has_rate = design.compared.front().rate.has_value();
   if (has_rate) {
     table.columns.push_back(
         {"annual_rate", "per_year", "Annual rate [95 %]", ColumnKind::rate, "", true});
-    table.columns.push_back({"life_probability", "",
-                             "In " + life_text(*package.probability.hazard) + " [95 %]",
-                             ColumnKind::share, "", true});
+    table.columns.push_back(
+        share_column("life_probability", "In " + life_text(*package.probability.hazard)));
   }
   for (const DisplacementExceedance& row : design.compared) {
     std::string what = "governing: " + length_in(row.displacement_m);
@@ -392,7 +393,7 @@ Table compared_table(const CalculationPackage& package) {
           fmt::format("{}: {} / {:g} = {}", separation.text(), length_in(*separation.available_m),
                       separation.required.factor, length_in(row.displacement_m));
     }
-    std::vector<Cell> cells{what, share_text(row.dbe), share_text(row.mce)};
+    std::vector<Cell> cells{what, cell_of(row.dbe), cell_of(row.mce)};
     if (has_rate) {
       const char* sign = sign_of(*row.rate);
       cells.emplace_back(SignedEstimate{row.rate->annual_rate, sign});
@@ -407,6 +408,10 @@ Table compared_table(const CalculationPackage& package) {
                       ? ""
                       : "Each number is that of the building period where it is largest. ") +
       accepted_sentence(design) + ".");
+  if (has_rate)
+    table.notes.emplace_back(
+        "<: an upper bound, without an interval: more than half of the rate is of shaking above "
+        "the highest level, all of which counts as exceeding.");
   return table;
 }
 

@@ -63,11 +63,21 @@ class Workbook {
     lxw_row_t row = 0;
     write(sheet, row++, 0, table.title, bold_);
     for (const std::string& note : table.notes) write(sheet, row++, 0, note, nullptr);
-    for (std::size_t c = 0; c < table.columns.size(); ++c)
-      write(sheet, row, c, table.columns[c].heading, bold_);
+    std::size_t at = 0;
+    for (const Column& column : table.columns) {
+      write(sheet, row, at++, column.heading, bold_);
+      if (column.with_interval)
+        for (const char* end : {"low 95 %", "high 95 %"}) write(sheet, row, at++, end, bold_);
+    }
     for (const std::vector<Cell>& cells : table.rows) {
       ++row;
-      for (std::size_t c = 0; c < cells.size(); ++c) add(sheet, row, c, cells[c]);
+      at = 0;
+      for (std::size_t c = 0; c < cells.size(); ++c) {
+        add(sheet, row, at++, table.columns[c], cells[c]);
+        if (!table.columns[c].with_interval) continue;
+        const Interval interval = estimate_of(cells[c]).interval;
+        for (const double end : {interval.low, interval.high}) add(sheet, row, at++, end);
+      }
     }
   }
   bool close() { return workbook_close(book_) == LXW_NO_ERROR; }
@@ -77,17 +87,25 @@ class Workbook {
                     const std::string& text, lxw_format* format) {
     worksheet_write_string(sheet, row, static_cast<lxw_col_t>(column), text.c_str(), format);
   }
-  void add(lxw_worksheet* sheet, lxw_row_t row, std::size_t column, const Cell& cell) {
-    const auto at = static_cast<lxw_col_t>(column);
+  static void add(lxw_worksheet* sheet, lxw_row_t row, std::size_t at, double value) {
+    if (std::isfinite(value))
+      worksheet_write_number(sheet, row, static_cast<lxw_col_t>(at), value, nullptr);
+  }
+  /// A bound has its sign: "< 9.6e-5".
+  void add(lxw_worksheet* sheet, lxw_row_t row, std::size_t place, const Column& column,
+           const Cell& cell) {
+    const auto at = static_cast<lxw_col_t>(place);
+    const auto* estimate = std::get_if<SignedEstimate>(&cell);
+    if (estimate != nullptr && !estimate->sign.empty())
+      return write(sheet, row, place, cell_text(column, cell), nullptr);
     if (const auto* text = std::get_if<std::string>(&cell)) {
       if (const auto quantity = quantity_in(*text))
         worksheet_write_number(sheet, row, at, quantity->value, format_of(quantity->format));
       else
-        write(sheet, row, column, *text, nullptr);
+        write(sheet, row, place, *text, nullptr);
       return;
     }
-    const double value = estimate_of(cell).value;
-    if (std::isfinite(value)) worksheet_write_number(sheet, row, at, value, nullptr);
+    add(sheet, row, place, estimate_of(cell).value);
   }
   lxw_format* format_of(const std::string& number_format) {
     lxw_format*& format = formats_[number_format];
