@@ -167,7 +167,7 @@ std::vector<Sensitivity> sensitivity_of(const Project& project, const Results& d
   });
   table.vary("shaking", &Inputs::level,
              [&](double level) -> std::string { return level == governing.level ? "DBE" : "MCE"; });
-  table.vary("alpha of the building", &Inputs::alpha,
+  table.vary("\u03b1_0 of the building", &Inputs::alpha,
              [](double value) { return fmt::format("{:.3g}", value); });
   table.vary("building period", &Inputs::period_s,
              [](double value) { return fmt::format("{:.3g} s", value); });

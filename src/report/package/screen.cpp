@@ -59,7 +59,7 @@ std::string demand_lines(const CalculationPackage& package) {
       "\nDisplacement at DBE, governing orientation{}\n{:>10}{:>12}{:>12}{:>12}{:>12}\n",
       of_roof ? " and slope"
               : std::string(", slope and ") +
-                    (package.project.building.alpha.empty() ? "mass ratio" : "alpha"),
+                    (package.project.building.alpha.empty() ? "mass ratio" : "\u03b1_0"),
       of_roof ? "" : "period, s", "mean", "84th", "95th", "largest");
   for (const PeriodDemand& d : package.design.demand) {
     text += fmt::format("{:>10}{:>12}{:>12}{:>12}{:>12}\n",

@@ -366,9 +366,11 @@ std::string accepted_sentence(const DesignClearance& design) {
   const auto length = [](double length_m) {
     return std::isfinite(length_m) ? length_in(length_m) : std::string("any displacement");
   };
-  return fmt::format("{:g} % of the histories at the DBE exceed {} (95 % interval {} to {})",
-                     100.0 * accepted_exceedance, length(design.accepted.displacement_m),
-                     length(design.accepted.interval.low), length(design.accepted.interval.high));
+  const auto [low_m, high_m] = design.accepted.interval;
+  return fmt::format(
+      "{:g} % of the histories at the DBE exceed {} (95 % interval {})",
+      100.0 * accepted_exceedance, length(design.accepted.displacement_m),
+      length(low_m) + (std::isfinite(high_m) ? " to " + length(high_m) : " or more"));
 }
 
 Table compared_table(const CalculationPackage& package) {
