@@ -76,7 +76,7 @@ double site_coefficient(const SiteTable& table, SiteClass site, double value_g) 
     throw InputError(
         {"",
          fmt::format("{} = {} is above {}, up to which ASCE 7-16 has a coefficient for site class "
-                     "{}; 11.4.8 (recalled: verify) requires a ground motion hazard analysis of "
+                     "{}; 11.4.8 requires a ground motion hazard analysis of "
                      "the site from S_S = 1 g or S_1 = 0.2 g on",
                      table.parameter, value_g, columns[last], to_string(site)),
          "give the spectrum of such an analysis (spectrum = \"FILE.csv\"), or sds_g and sd1_g",

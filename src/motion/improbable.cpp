@@ -137,10 +137,10 @@ std::vector<std::string> improbable_values(const DesignTarget& target) {
       target.site_classes.size() == 1)
     found.push_back(
         "site class B: F_a and F_v are those of a measured shear wave velocity; without one ASCE "
-        "7-16, 11.4.3 (recalled: verify), requires 1.0, which is more");
+        "7-16, 11.4.3, requires 1.0, which is more");
   if (std::string required = hazard_analysis_required(target);
       !required.empty() && target.hazard_analysis.empty())
-    found.push_back(required + " (recalled: verify)");
+    found.push_back(std::move(required));
   return found;
 }
 

@@ -449,7 +449,7 @@ TEST_F(Package, one_slope_and_the_friction_that_the_tests_support_are_varied) {
   const nlohmann::json json = numbers();
   for (const auto& row : json.at("sensitivity")) ++rows[row.at("input")];
   EXPECT_EQ(rows["roof slope"], 2);
-  EXPECT_EQ(rows["alpha of the building"], 2);
+  EXPECT_EQ(rows["\u03b1_0 of the building"], 2);
   EXPECT_EQ(rows["friction"], 4);  // mean - 2 std, mean, mean + 2 std, lower bound of the tests
 }
 

@@ -17,6 +17,7 @@ struct SheetTarget {
   std::string counted;  ///< how a displacement is counted, of which buildings
   std::string suite, kernel, plan_hash;
   std::vector<std::string> warnings;
+  std::vector<RecordSummary> records;
 };
 SheetTarget sheet_target(const Product& product, const ProductTarget& target,
                          const Results& results);

@@ -48,25 +48,25 @@ std::vector<std::string> processing_notes(const std::vector<RecordSummary>& reco
 
 }  // namespace
 
-Table motions_table(const CalculationPackage& package) {
+Table motions_table(const std::vector<RecordSummary>& records,
+                    const std::vector<ComponentFile>& files, bool of_roof) {
   Table table{"motions",
-              package.project.of_roof ? "Motions of the roof" : "Ground motions",
+              of_roof ? "Motions of the roof" : "Ground motions",
               {number_column, text_column("id", "Record"), text_column("rsn", "RSN"),
                text_column("event", "Event"), text_column("station", "Station"),
                text_column("magnitude", "M"), text_column("distance", "R, km"),
                text_column("vs30", "V_S30, m/s")},
               {}};
   bool has_rsn = false;
-  for (const RecordSummary& r : package.demand.records) {
-    const std::string rsn = rsn_of(package.files, r.id);
+  for (const RecordSummary& r : records) {
+    const std::string rsn = rsn_of(files, r.id);
     has_rsn = has_rsn || rsn != "-";
     table.add({number_after(table), r.id, rsn, r.event, r.station,
                not_given(r.magnitude, fmt::format("{:.1f}", r.magnitude)),
                not_given(r.distance_km, fmt::format("{:.1f}", r.distance_km)),
                not_given(r.vs30_mps, fmt::format("{:.0f}", r.vs30_mps))});
   }
-  for (std::string& note : processing_notes(package.demand.records))
-    table.notes.push_back(std::move(note));
+  for (std::string& note : processing_notes(records)) table.notes.push_back(std::move(note));
   return has_rsn ? table : table.without("rsn");
 }
 

@@ -178,7 +178,8 @@ Html roof_motions_html(const CalculationPackage& package) {
              "components: slopes along either axis of the building, in either direction.",
              suite.name, suite.description.empty() ? "" : ": " + suite.description,
              package.project.roof_factor)) +
-         page_table(motions_table(package)) + page_table(scaled_motions_table(package));
+         page_table(motions_table(package.demand.records, package.files, package.project.of_roof)) +
+         page_table(scaled_motions_table(package));
 }
 
 Html motions_html(const CalculationPackage& package, const std::vector<DrawnFigure>& figures) {
@@ -215,8 +216,9 @@ Html motions_html(const CalculationPackage& package, const std::vector<DrawnFigu
              rule, by_walters ? "Between these periods" : "There", ratios.lowest.ratio,
              ratios.lowest.period_s, ratios.highest.ratio, ratios.highest.period_s,
              by_walters ? "" : fmt::format(", the mean {:.3f} times", spectra.mean_ratio))) +
-         page_table(motions_table(package)) + page_table(scaled_motions_table(package)) +
-         page_table(record_spectra_table(package)) + figure_html(figures.front(), 1);
+         page_table(motions_table(package.demand.records, package.files, package.project.of_roof)) +
+         page_table(scaled_motions_table(package)) + page_table(record_spectra_table(package)) +
+         figure_html(figures.front(), 1);
 }
 
 Html model_html(bool of_roof, bool of_modes) {
@@ -501,16 +503,27 @@ bool write_package(const CalculationPackage& package, const std::filesystem::pat
                    bool overwrite) {
   const LengthUnits units(package.project.units);
   const Project& project = package.project;
-  std::vector<Table> tables{title_table(project),       scope_table(package),
-                            criteria_table(package),    building_table(package),
-                            array_table(package),       friction_table(package),
-                            motions_table(package),     scaled_motions_table(package),
-                            files_table(package),       record_displacements_table(package),
-                            demand_table(package),      separations_table(package),
-                            sensitivity_table(package), exceedance_table(package),
-                            compared_table(package),    roof_accelerations_table(package),
-                            by_hand_table(package),     prescribed_table(package),
-                            provisions_table(package),  checks_table(package)};
+  std::vector<Table> tables{
+      title_table(project),
+      scope_table(package),
+      criteria_table(package),
+      building_table(package),
+      array_table(package),
+      friction_table(package),
+      motions_table(package.demand.records, package.files, package.project.of_roof),
+      scaled_motions_table(package),
+      files_table(package),
+      record_displacements_table(package),
+      demand_table(package),
+      separations_table(package),
+      sensitivity_table(package),
+      exceedance_table(package),
+      compared_table(package),
+      roof_accelerations_table(package),
+      by_hand_table(package),
+      prescribed_table(package),
+      provisions_table(package),
+      checks_table(package)};
   if (!project.of_roof) tables.push_back(record_spectra_table(package));
   if (!project.friction.tested.empty()) tables.push_back(pull_tests_table(project.friction));
   for (Table& table : given_curves(project)) tables.push_back(std::move(table));

@@ -24,7 +24,9 @@ Table pull_tests_table(const ProjectFriction& friction);
 /// What the project gives by points: a target spectrum, a hazard curve.
 Table spectrum_table(const Project& project);
 Table hazard_curve_table(const ProjectHazard& hazard);
-Table motions_table(const CalculationPackage& package);
+/// @param files of the components, with the record sequence numbers in their names
+Table motions_table(const std::vector<RecordSummary>& records,
+                    const std::vector<ComponentFile>& files, bool of_roof);
 Table scaled_motions_table(const CalculationPackage& package);
 /// S_a of each scaled record at the building periods, their average and the design spectrum.
 Table record_spectra_table(const CalculationPackage& package);

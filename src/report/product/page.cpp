@@ -14,6 +14,7 @@
 #include "package/print/print_head.hpp"
 #include "package/print/symbols.hpp"
 #include "package/print/workbook.hpp"
+#include "package/tables.hpp"
 #include "product/tables.hpp"
 #include "text/study_text.hpp"
 
@@ -31,6 +32,11 @@ std::vector<std::string> warnings_of(const ProductSheet& sheet) {
   if (sheet.targets.front().found.of_largest)
     add("fewer than 7 records: the largest counts in place of the mean");
   for (const SheetTarget& of : sheet.targets) std::ranges::for_each(of.warnings, add);
+  std::string without_vertical;
+  for (const RecordSummary& record : sheet.targets.front().records)
+    if (!record.has_vertical)
+      without_vertical += (without_vertical.empty() ? "" : ", ") + record.id;
+  if (!without_vertical.empty()) add("records without vertical motion: " + without_vertical);
   return warnings;
 }
 
@@ -75,7 +81,8 @@ SheetTarget sheet_target(const Product& product, const ProductTarget& target,
           suite.name + (suite.description.empty() ? "" : ": " + suite.description),
           results.model.kernel,
           results.plan_hash,
-          texts_of(results.warnings)};
+          texts_of(results.warnings),
+          results.records};
 }
 
 std::string sheet_screen(const ProductSheet& sheet) {
@@ -95,6 +102,8 @@ bool write_product_sheet(const ProductSheet& sheet, const std::filesystem::path&
   Html shown;
   for (const Table& table : tables) shown += wide_table(table);
   tables.push_back(all_displacements_table(sheet));
+  const Table motions = motions_table(sheet.targets.front().records, {}, /*of_roof=*/false);
+  tables.push_back(motions);
   write_workbook(tables, out_dir / "product.xlsx");
   write_parts({"product.html", std::move(tables), {}}, out_dir, overwrite);
   const std::vector<std::string> warnings = warnings_of(sheet);
@@ -111,7 +120,7 @@ bool write_product_sheet(const ProductSheet& sheet, const std::filesystem::path&
            ? Html()
            : "<div class=\"warning\">\n<strong>Warnings</strong>\n" + list(warnings) + "</div>\n") +
       shown + heading("What the displacements rest on") + list(basis_of(sheet)) +
-      heading("Program and input files") +
+      wide_table(motions) + heading("Program and input files") +
       paragraph(fmt::format(
           "glissade {} ({}); plans of the studies {}; product file SHA-256 {}, suite file SHA-256 "
           "{}. The same files and version give the same numbers. All digits are in "
