@@ -17,12 +17,12 @@
 #include "package/print/pdf.hpp"
 #include "package/print/print_head.hpp"
 #include "package/print/printable.hpp"
-#include "package/print/symbols.hpp"
 #include "package/print/workbook.hpp"
 #include "package/sections.hpp"
 #include "package/sketch.hpp"
 #include "package/tables.hpp"
 #include "package/units.hpp"
+#include "page/symbols.hpp"
 
 namespace glissade {
 namespace {

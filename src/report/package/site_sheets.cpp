@@ -9,9 +9,9 @@
 #include "glissade/core/wrap.hpp"
 #include "package/print/pdf.hpp"
 #include "package/print/print_head.hpp"
-#include "package/print/symbols.hpp"
 #include "package/print/workbook.hpp"
 #include "package/units.hpp"
+#include "page/symbols.hpp"
 
 namespace glissade {
 namespace {

@@ -10,6 +10,7 @@
 #include "glissade/report/summary.hpp"
 #include "glissade/report/tables.hpp"
 #include "page/page.hpp"
+#include "page/symbols.hpp"
 #include "text/study_text.hpp"
 
 namespace glissade {
@@ -127,7 +128,7 @@ std::string html_report(const Results& results, const std::vector<DrawnFigure>& 
           "numbers. Tables with all digits are in tables/, figures as PDF and SVG in figures/.",
           results.program_version, results.plan_hash, results.seed)) +
       page_foot();
-  return page.str();
+  return with_symbols(page.str());
 }
 
 }  // namespace glissade

@@ -12,9 +12,9 @@
 #include "glissade/report/format.hpp"
 #include "package/print/pdf.hpp"
 #include "package/print/print_head.hpp"
-#include "package/print/symbols.hpp"
 #include "package/print/workbook.hpp"
 #include "package/tables.hpp"
+#include "page/symbols.hpp"
 #include "product/tables.hpp"
 #include "text/study_text.hpp"
 

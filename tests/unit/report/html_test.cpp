@@ -26,9 +26,9 @@ TEST(html_report, names_the_earthquakes_of_a_design_target) {
   Results results = made_up_results();
   EXPECT_THAT(html_report(results, {}), Not(states("DBE")));
   results.model.dbe_level = 1.0;
-  EXPECT_THAT(html_report(results, {}), states("DBE", "S_DS = 1.00 g", "MCE 1.50 g"));
+  EXPECT_THAT(html_report(results, {}), states("DBE", "S<sub>DS</sub> = 1.00 g", "MCE 1.50 g"));
   results.model.dbe_level = 1.035;  // 1.04 or 1.03 elsewhere would be another level
-  EXPECT_THAT(html_report(results, {}), states("DBE", "S_DS = 1.035 g"));
+  EXPECT_THAT(html_report(results, {}), states("DBE", "S<sub>DS</sub> = 1.035 g"));
   results.levels = {1.0};
   EXPECT_THAT(html_report(results, {}), states("x 1 level"));
 }

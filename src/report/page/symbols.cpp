@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "package/print/symbols.hpp"
+#include "page/symbols.hpp"
 
 #include <array>
 #include <cstddef>
