@@ -13,6 +13,30 @@
 HWY_BEFORE_NAMESPACE();
 namespace glissade::block_detail::two_axes::HWY_NAMESPACE {
 
+/// The root of a function between 0, where it is above zero, and `high`, where it is below:
+/// Newton's method kept within the bracket.
+template <int n>
+HWY_INLINE V FallOf(const V (&f)[n], const V (&slope)[n - 1], V high, V f_low, V f_high,
+                    Mask moves) {
+  const V zero = hn::Zero(Doubles()), half = Number(0.5);
+  V low = zero, x = hn::Div(high * f_low, f_low - f_high);
+  constexpr int iterations = 20;
+  constexpr double converged = 1e-9;  // the step after it is below rounding
+  for (int i = 0; i < iterations && !hn::AllFalse(Doubles(), moves); ++i) {
+    const V value = Polynomial(f, x);
+    const Mask above = hn::Gt(value, zero);
+    low = hn::IfThenElse(above, x, low);
+    high = hn::IfThenElse(above, high, x);
+    const V newton = x - hn::Div(value, Polynomial(slope, x));
+    const Mask inside = hn::And(hn::Ge(newton, low), hn::Le(newton, high));
+    const V next = hn::IfThenElse(inside, newton, half * (low + high));
+    const V moved = hn::Abs(next - x);
+    x = hn::IfThenElse(moves, next, x);
+    moves = hn::And(moves, hn::Gt(moved, Number(converged) * x));
+  }
+  return x;
+}
+
 /// When a function first falls to zero, up to t, or never; where it begins there at once. A step
 /// has one minimum at most.
 template <int n>
@@ -32,8 +56,7 @@ HWY_NOINLINE V FirstFall(Terms<n> f, V t) {
   const Mask falls = hn::AndNot(at_once, hn::Lt(value, zero));
   V at = hn::IfThenElse(at_once, zero, Number(never));
   if (hn::AllFalse(Doubles(), falls)) return at;
-  constexpr int bisections = 4;
-  return hn::IfThenElse(falls, RootOf<bisections>(f, lowest, f.of[0], value), at);
+  return hn::IfThenElse(falls, FallOf(f.of, slope, lowest, f.of[0], value, falls), at);
 }
 
 /// Both springs over a step up to t.
@@ -68,23 +91,30 @@ class SpringEvents {
     const V direction = here(s.direction[axis]), margin = here(lanes.spring_constants.margin[axis]);
     const Mask elastic = hn::Eq(direction, zero);
     // Up to the upper limit, or until it unloads; and down to the lower limit.
-    V up[n], down[n];
-    ForOrders<0, n>([&](auto k) GLISSADE_INLINE_LAMBDA {
-      V unloads = zero;
-      if constexpr (k < m) unloads = direction * rate[k];
-      up[k] = hn::IfThenElse(elastic, hn::Neg(x[k]), unloads);
-      down[k] = hn::IfThenElseZero(elastic, x[k]);
+    const V up_0 = margin + hn::IfThenElse(elastic, here(s.high[axis]) - x[0], direction * rate[0]),
+            down_0 = margin + hn::IfThenElseZero(elastic, x[0] - here(s.low[axis]));
+    V moves[n], changes[n];
+    moves[0] = changes[0] = zero;
+    ForOrders<1, n>([&](auto k) GLISSADE_INLINE_LAMBDA {
+      V of_rate = zero;
+      if constexpr (k < m) of_rate = rate[k];
+      moves[k] = hn::IfThenElse(elastic, x[k], of_rate);
+      changes[k] = hn::Abs(moves[k]);
     });
-    up[0] = hn::IfThenElse(elastic, here(s.high[axis]) - x[0], up[0]) + margin;
-    down[0] = hn::IfThenElse(elastic, x[0] - here(s.low[axis]), zero) + margin;
-    V changes[n];
-    changes[0] = zero;
-    ForOrders<1, n>([&](auto k) GLISSADE_INLINE_LAMBDA { changes[k] = hn::Abs(up[k]); });
     const V change = Polynomial(changes, t);
-    if (HWY_UNLIKELY(!hn::AllTrue(Doubles(), hn::Ge(up[0], change))))
-      up_[axis] = FirstFall<n>(Terms(up), t);
-    const Mask stays = hn::Or(hn::Not(elastic), hn::Ge(down[0], change));
-    if (HWY_UNLIKELY(!hn::AllTrue(Doubles(), stays))) down_[axis] = FirstFall<n>(Terms(down), t);
+    const Mask stays_below = hn::Ge(up_0, change),
+               stays_above = hn::Or(hn::Not(elastic), hn::Ge(down_0, change));
+    if (HWY_LIKELY(hn::AllTrue(Doubles(), hn::And(stays_below, stays_above)))) return;
+    const auto first_fall = [&](Mask stays, V begin, V sign) GLISSADE_INLINE_LAMBDA {
+      if (hn::AllTrue(Doubles(), stays)) return Number(never);
+      Terms f(moves);
+      f.of[0] = begin;
+      ForOrders<1, n>([&](auto k) GLISSADE_INLINE_LAMBDA { f.of[k] = sign * f.of[k]; });
+      return FirstFall<n>(f, t);
+    };
+    const V one = Number(1.0);
+    up_[axis] = first_fall(stays_below, up_0, hn::IfThenElse(elastic, hn::Neg(one), direction));
+    down_[axis] = first_fall(stays_above, down_0, hn::IfThenElseZero(elastic, one));
   }
 
   HWY_INLINE void TakeAxis(LaneStates& lanes, Here here, std::size_t axis, Mask goes, V f,

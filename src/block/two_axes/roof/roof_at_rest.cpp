@@ -98,14 +98,17 @@ bool RoofAtRest::sticks(const std::array<double, 2>& a, double w) const {
 
 bool RoofAtRest::sticks_from(std::size_t node) const {
   const std::size_t k = node / tile_nodes;
+  if (after_record_)
+    return sticks(free_bound_, 0.0) && stays_elastic([](std::size_t) { return 0.0; });
   std::array<double, 2> a = free_bound_;
-  if (after_record_) return sticks(a, 0.0) && stays_elastic();
-  if (roof_ == RoofKind::yielding) return false;  // the table bounds no spring
   for (std::size_t n = 0; n < 2; ++n) {
     a[n] += std::abs(factor(n)) * table_.coming[n][k];
     if (vibrates()) a[n] *= between_nodes;
   }
-  return sticks(a, std::abs(constants_.factor_w) * ground_.w_to_come(k));
+  return sticks(a, std::abs(constants_.factor_w) * ground_.w_to_come(k)) &&
+         stays_elastic([&](std::size_t n) {
+           return between_nodes * std::abs(factor(n)) * table_.spring_coming[n][k];
+         });
 }
 
 double RoofAtRest::deviation(std::size_t axis, std::size_t node) const {
@@ -139,15 +142,20 @@ std::array<double, 2> RoofAtRest::bound_in_tile(std::size_t node) const {
 }
 
 bool RoofAtRest::sticks_in_tile(std::size_t node) const {
-  if (after_record_ || roof_ == RoofKind::yielding) return false;
-  return sticks(bound_in_tile(node),
-                std::abs(constants_.factor_w) * ground_.largest_w(node / tile_nodes));
+  const std::size_t k = node / tile_nodes;
+  return !after_record_ &&
+         sticks(bound_in_tile(node), std::abs(constants_.factor_w) * ground_.largest_w(k)) &&
+         stays_elastic([&](std::size_t n) {
+           const double left = table_.deviation[n][k] / constants_.per_mass;
+           return std::abs(factor(n)) * (table_.spring_tile[n][k] + left);
+         });
 }
 
-bool RoofAtRest::stays_elastic() const {
+/// No spring leaves its limits where the table's part of its force is within largest(axis).
+bool RoofAtRest::stays_elastic(const auto& largest) const {
   if (roof_ != RoofKind::yielding) return true;
   for (std::size_t n = 0; n < 2; ++n) {
-    const double most = free_bound_[n] / constants_.per_mass;
+    const double most = largest(n) + free_bound_[n] / constants_.per_mass;
     if (!(most < springs_.high[n] && -most > springs_.low[n])) return false;
   }
   return true;

@@ -46,8 +46,7 @@ class RoofAtRest {
   bool vibrates() const { return has_state(roof_); }
   /// The block sticks whatever the roof does within these bounds.
   bool sticks(const std::array<double, 2>& a, double w) const;
-  /// After the record no spring can leave its limits again.
-  bool stays_elastic() const;
+  bool stays_elastic(const auto& largest) const;
   double factor(std::size_t axis) const {
     return axis == 0 ? constants_.factor_1 : constants_.factor_2;
   }

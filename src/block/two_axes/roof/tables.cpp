@@ -146,7 +146,10 @@ double RestTable::tabulate_axis(std::size_t n, const GroundNodes& ground,
   }
   add_interval_before(deviation[n]);
   a[n] = own_a[n].data();
-  return free[n][0].bound(now);
+  const double after = free[n][0].bound(now);
+  spring_tile[n] = tile_maxima(x[n].data(), quiet);
+  spring_coming[n] = suffix_maxima(spring_tile[n], after / c.per_mass);
+  return after;
 }
 
 }  // namespace glissade::block_detail::two_axes

@@ -115,7 +115,8 @@ struct RestTable {
   std::array<std::vector<double>, 2> own_a;  ///< empty: rigid
   std::array<const double*, 2> a{};          ///< acceleration; zeros follow
   std::array<std::vector<double>, 2> tile,
-      coming;                                    ///< largest |a|: of a tile, of all to come
+      coming;  ///< largest |a|: of a tile, of all to come
+  std::array<std::vector<double>, 2> spring_tile, spring_coming;  ///< the same of |x|, of one mass
   std::array<std::vector<double>, 2> deviation;  ///< how far it leaves its chord, by tile
   /// By axis, of each state; empty: the roof is known beforehand.
   std::array<std::vector<FreeVibration>, 2> free;
