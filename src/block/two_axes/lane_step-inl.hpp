@@ -466,7 +466,8 @@ class ImplicitStep {
     stepped.lifted = Bits(lifted);
     Advance<roof>(lanes, ground, here, i, z, z.v_s, z.v_y, f, goes, to, stepped);
     if constexpr (roof == RoofKind::yielding)
-      events.Take(lanes, here, springs_change, f, hn::IfThenElse(at_begin, z.x_1[0], to.x_1),
+      events.Take(lanes, here, springs_change, hn::IfThenElse(at_begin, Number(shortest_step), f),
+                  hn::IfThenElse(at_begin, z.x_1[0], to.x_1),
                   hn::IfThenElse(at_begin, z.x_2[0], to.x_2));
     hn::Store(next_trial, d, lanes.motion.trial + here.first);
     return stepped;
