@@ -32,6 +32,10 @@ Modes one_mass_of_five(double period_s) {
   return Modes(modes);
 }
 
+void yield_at_2_mps2(TwoAxisScene& s) {
+  s.building.yielding = {Yielding{2.0, 0.02}, Yielding{2.0, 0.02}};
+}
+
 /// What the array lies on.
 struct Kind {
   const char* name;
@@ -219,10 +223,19 @@ std::vector<SchemeResult> two_axes_precision(const test::StandardScenes& all, st
        [](Scene& s) {
          s.block.law = {1.0, 1.5, 20.0};
        }},
-      {"m/M 0.05, yielding", periods_s, 0.05, 1.0, one_mass,
+      {"m/M 0.05, yielding", periods_s, 0.05, 1.0, one_mass, yield_at_2_mps2},
+      {"m/M 0.05, yielding, friction by speed", periods_s, 0.05, 1.0, one_mass,
        [](Scene& s) {
-         s.building.yielding = {Yielding{2.0, 0.02}, Yielding{2.0, 0.02}};
+         yield_at_2_mps2(s);
+         s.block.law = {1.0, 1.5, 20.0};
        }},
+      {"m/M 0.05, friction falls below the slope", periods_s, 0.05, 1.0, one_mass,
+       [](Scene& s) {
+         s.block.law = {1.0, 0.5, 20.0};
+         s.block.slope_rad = std::atan(0.6 * s.block.friction.along);
+       }},
+      {"m/M 0.05, 3 modes, base shear", tall_s, 0.05, 1.0, cantilever<3>,
+       [](Scene& s) { s.base_shear = true; }},
       {"m/M 0.05, 1 mode", tall_s, 0.05, 1.0, cantilever<1>},
       {"m/M 0.05, 3 modes", tall_s, 0.05, 1.0, cantilever<3>},
       {"m/M 0.05, 5 modes", tall_s, 0.05, 1.0, cantilever<5>},

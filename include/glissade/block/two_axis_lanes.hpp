@@ -57,13 +57,13 @@ double srss_of_maxima_m(const TwoAxisPeak& peak);
 /// readout: while the block slides of the building's series in each step, at rest of its table
 /// where bounds allow more than what was seen.
 ///
-/// Friction that depends on speed on a building that yields or at a rate above 1000 s/m, friction
-/// (the least at any speed) below 1.02 tan(slope), one rigid axis beside one that
-/// is not, damping outside [0.001, 0.5], periods below 7.4 sample intervals (2.4 of a mode), base
-/// shear of modes or of a rigid building that carries the block, several modes with m/M = 0 that
-/// may move the block once they have decayed to a twentieth after the record, an array that lifts
-/// off a building that yields, modes so close that (3.14) of theory.md does not tell them apart,
-/// and an oscillating vertical go through slide_on_building().
+/// Friction that depends on speed at a rate above 1000 s/m, friction (the least at any speed) below
+/// 1.02 tan(slope), one rigid axis beside one that is not, damping outside [0.001, 0.5], periods
+/// below 7.4 sample intervals (2.4 of a mode), base shear of modes or of a rigid building that
+/// carries the block, several modes with m/M = 0 that may move the block once they have decayed to
+/// a twentieth after the record, an array that lifts off a building that yields, modes so close
+/// that (3.14) of theory.md does not tell them apart, and an oscillating vertical go through
+/// slide_on_building().
 class TwoAxisLanes {
  public:
   /// @param ground the tables of the last buildings under it are kept, 32 MB or two of them

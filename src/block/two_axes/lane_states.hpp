@@ -211,6 +211,7 @@ Stepped coupled_step(LaneStates& lanes, const GroundRows& ground, RoofKind roof,
 /// The same with friction that depends on speed.
 Stepped by_speed_step(LaneStates& lanes, const GroundRows& ground, RoofKind roof, StepKind kind);
 /// The same on one that yields.
-Stepped yielding_step(LaneStates& lanes, const GroundRows& ground, StepKind kind);
+Stepped yielding_step(LaneStates& lanes, const GroundRows& ground, Friction friction,
+                      StepKind kind);
 
 }  // namespace glissade::block_detail::two_axes

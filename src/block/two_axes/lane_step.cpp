@@ -29,8 +29,8 @@ HWY_EXPORT(Step);
 
 Stepped step(LaneStates& lanes, const GroundRows& ground, RoofKind roof, Friction friction,
              StepKind kind) {
+  if (roof == RoofKind::yielding) return yielding_step(lanes, ground, friction, kind);
   if (friction == Friction::by_speed) return by_speed_step(lanes, ground, roof, kind);
-  if (roof == RoofKind::yielding) return yielding_step(lanes, ground, kind);
   if (has_mass(roof)) return coupled_step(lanes, ground, roof, kind);
   return HWY_DYNAMIC_DISPATCH(Step)(lanes, ground, roof, kind);
 }

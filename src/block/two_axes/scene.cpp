@@ -61,8 +61,7 @@ bool fits_lanes(const TwoAxisScene& scene, const BuildingGround& ground) {
   const TwoAxisBlock& block = scene.block;
   const auto& [first, second] = scene.building.horizontal;
   const FrictionLaw& law = block.law;
-  if (law.depends_on_speed() && (yields(scene.building) || law.rate_s_per_m > largest_rate_s_per_m))
-    return false;
+  if (law.depends_on_speed() && law.rate_s_per_m > largest_rate_s_per_m) return false;
   const double aspect = block.friction.across / block.friction.along;
   if (!(aspect >= least_aspect && aspect <= most_aspect)) return false;
   const double slowest = law.depends_on_speed() ? law.least_factor() : 1.0,

@@ -14,8 +14,11 @@
 HWY_BEFORE_NAMESPACE();
 namespace glissade::block_detail::two_axes::HWY_NAMESPACE {
 
-Stepped YieldingStep(LaneStates& lanes, const GroundRows& ground, StepKind kind) {
-  return StepsOn<RoofKind::yielding>(lanes, ground, kind);
+Stepped YieldingStep(LaneStates& lanes, const GroundRows& ground, Friction friction,
+                     StepKind kind) {
+  constexpr auto roof = RoofKind::yielding;
+  if (friction == Friction::coulomb) return StepsOn<roof>(lanes, ground, kind);
+  return StepsOn<roof, Friction::by_speed>(lanes, ground, kind);
 }
 
 }  // namespace glissade::block_detail::two_axes::HWY_NAMESPACE
@@ -25,8 +28,9 @@ HWY_AFTER_NAMESPACE();
 namespace glissade::block_detail::two_axes {
 HWY_EXPORT(YieldingStep);
 
-Stepped yielding_step(LaneStates& lanes, const GroundRows& ground, StepKind kind) {
-  return HWY_DYNAMIC_DISPATCH(YieldingStep)(lanes, ground, kind);
+Stepped yielding_step(LaneStates& lanes, const GroundRows& ground, Friction friction,
+                      StepKind kind) {
+  return HWY_DYNAMIC_DISPATCH(YieldingStep)(lanes, ground, friction, kind);
 }
 
 }  // namespace glissade::block_detail::two_axes

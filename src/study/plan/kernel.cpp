@@ -40,10 +40,8 @@ constexpr const char* function_names[] = {"peak_slip", "peak_slip_two_axes", "sl
 KernelFunction function_of(Kernel kernel, const StudyConfig& config, const Case& c) {
   if (kernel == Kernel::tables) return KernelFunction::peak_slip;
   const bool shear_of_modes = config.base_shear && !config.building.is_one_mass();
-  const bool yields_by_speed = c.yields() && c.law.depends_on_speed();
-  return yields_by_speed || shear_of_modes || oscillates(config, c)
-             ? KernelFunction::slide_on_building
-             : KernelFunction::peak_slip_two_axes;
+  return shear_of_modes || oscillates(config, c) ? KernelFunction::slide_on_building
+                                                 : KernelFunction::peak_slip_two_axes;
 }
 
 }  // namespace

@@ -328,8 +328,7 @@ TEST(peak_slip_two_axes, what_does_not_fit_the_lanes_is_the_reference) {
   scenes[0].block.friction.across = 0.09;
   scenes[1].block.law = {1.0, 0.1, 20.0};
   scenes[2].block.law = {1.0, 1.5, 2000.0};
-  scenes[3].block.law = {1.0, 1.5, 20.0};
-  scenes[3].building.yielding[1] = {2.0, 0.05};
+  scenes[3].building.horizontal = {};
   scenes[4].building.horizontal[1][0].period_s = 0.0;
   scenes[5].building.horizontal[0][0].period_s = 0.05;
   scenes[6].block.slope_rad = 0.3;

@@ -107,8 +107,6 @@ TEST(kernel_text, names_the_functions_that_compute_the_histories) {
   EXPECT_THAT(text(config), testing::EndsWith("(peak_slip_two_axes)"));
   config.quantities.at("friction", "rate_s_per_m") = fixed(20.0);
   config.quantities.at("friction", "fast_over_slow").values = {1.0, 1.2};
-  EXPECT_THAT(text(config), testing::EndsWith("(peak_slip_two_axes or slide_on_building)"));
-  config.quantities.at("building", "response_modification").values = {0.0};
   EXPECT_THAT(text(config), testing::EndsWith("(peak_slip_two_axes)"));
   config = two_axis_config();
   config.quantities.at("friction", "static_over_sliding").values = {1.0, 1.2};
