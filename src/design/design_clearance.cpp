@@ -25,8 +25,10 @@ struct Inputs {
 };
 
 Inputs inputs_of(const Results& results, const SuiteMean& mean) {
-  const Case& c = results.cases.cases[mean.first_case];
-  return {c.friction, c.slope_deg, c.mass_ratio, mean.level, mean.period_s, c.alpha, c.vertical};
+  const ConditionGrid grid(results);
+  const Case& c = grid.case_at(mean.at);
+  const double level = grid.value(ConditionAxis::level, mean.at);
+  return {c.friction, c.slope_deg, c.mass_ratio, level, c.period_s, c.alpha, c.vertical};
 }
 
 bool is_among(const std::vector<double>& values, double value) {
@@ -69,21 +71,19 @@ struct WorstOrientation {
 };
 
 WorstOrientation worst_orientation(const Results& demand, const SuiteMean& mean) {
-  const ConditionTable& table = *demand.conditions;
-  const auto condition = static_cast<std::size_t>(
-      &found_in(table.first_case, mean.first_case, "a condition") - table.first_case.data());
   const auto worst = static_cast<std::size_t>(std::ranges::max_element(mean.by_orientation) -
                                               mean.by_orientation.begin());
-  WorstOrientation found{to_string(table.orientations[worst]), {}};
+  WorstOrientation found{to_string(orientation_at(demand, worst)), {}};
+  const ConditionGrid grid(demand);
   for (std::size_t record = 0; record < demand.records.size(); ++record)
-    found.by_record_m.push_back(table.at(record, worst, condition).displacement_m);
+    found.by_record_m.push_back(grid.history(record, worst, mean.at).displacement_m());
   return found;
 }
 
 PeriodDemand demand_at(const Results& demand, const SuiteMean& mean) {
   auto [orientation, by_record] = worst_orientation(demand, mean);
   std::ranges::sort(by_record);
-  return {.period_s = mean.period_s,
+  return {.period_s = inputs_of(demand, mean).period_s,
           .orientation = orientation,
           .mean_m = mean.range.highest,
           .p84_m = quantile_of(by_record, 0.84),
@@ -100,7 +100,7 @@ std::vector<PeriodDemand> largest_demands(const Project& project, const Results&
     if (!is_condition_of(project, demand, inputs_of(demand, mean), project.friction.design()))
       continue;
     const PeriodDemand here = demand_at(demand, mean);
-    const auto same = std::ranges::find(found, mean.period_s, &PeriodDemand::period_s);
+    const auto same = std::ranges::find(found, here.period_s, &PeriodDemand::period_s);
     if (same == found.end()) {
       found.push_back(here);
       continue;
@@ -188,7 +188,7 @@ double rounded_up(double value, double step) {
 DesignClearance design_clearance(const Project& project, const Results& demand,
                                  const Suite& suite) {
   constexpr std::size_t levels = 2;  // DBE and MCE
-  expect_of_project(demand.clearance && demand.conditions && demand.levels.size() == levels &&
+  expect_of_project(demand.clearance && demand.levels.size() == levels &&
                         demand.suites.size() == 1 &&
                         (project.of_roof ? demand.suites.front().of_roof
                                          : !demand.suites.front().spectra.target_g.empty()),
@@ -200,7 +200,7 @@ DesignClearance design_clearance(const Project& project, const Results& demand,
   design.slope_deg = inputs.slope_deg;
   design.mass_ratio = inputs.mass_ratio;
   design.vertical = inputs.vertical;
-  design.period_s = governing.period_s;
+  design.period_s = inputs.period_s;
   design.alpha = inputs.alpha;
   WorstOrientation worst = worst_orientation(demand, governing);
   design.orientation = std::move(worst.orientation);

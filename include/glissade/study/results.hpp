@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
+#include "glissade/core/finite.hpp"
 #include "glissade/motion/suite_scaling.hpp"
-#include "glissade/study/analysis/conditions/condition_table.hpp"
 #include "glissade/study/cases/case_set.hpp"
 #include "glissade/study/config.hpp"
 #include "glissade/study/run/history_table.hpp"
@@ -86,13 +86,9 @@ std::vector<std::string> texts_of(const auto& warnings) {
   return texts;
 }
 
-/// What the analyses found, each in its own part.
-struct AnalysisResults : Analyses::InResults {
-  std::optional<ConditionTable> conditions;  ///< where an analysis needed them, see need_conditions
-};
-
 /// Everything a study found, and nothing about when, where or on how many ranks.
-struct Results : AnalysisResults {
+/// Of each analysis its own part.
+struct Results : Analyses::InResults {
   std::string study_name, study_description, program_version, plan_hash, study_text;
   std::map<std::string, std::string> study_data_files;  ///< StudyConfig::data_files
   std::uint64_t seed = 0;
@@ -119,5 +115,12 @@ struct Results : AnalysisResults {
 };
 
 inline bool slides_on_two_axes(const Results& results) { return results.axes == SlidingAxes::two; }
+
+/// Of a history, by the study's measure; infinite where the array slides freely.
+inline double displacement_m(const Results& results, std::size_t record, std::size_t i,
+                             std::size_t level) {
+  return slides_freely(results.cases.cases[i]) ? infinity
+                                               : results.histories.displacement_m(record, i, level);
+}
 
 }  // namespace glissade

@@ -24,7 +24,7 @@ void exchange_cases(const Archive& archive, Cases& cases) {
   const Columns column(archive, cases, "friction.mu");
   for (const Parameter& p : parameters()) {
     column(
-        std::string(p.table) + "." + p.key,
+        p.name(),
         {p.unit, p.meaning}, [&](auto& c) -> auto& { return p.of(const_cast<Case&>(c)); });
   }
   column("roof.neighbour_slope", {"-", "where the neighbour stands, where there is one"},

@@ -87,9 +87,8 @@ Column listed_column(const CaseAxis& axis) {
   return {stem, axis.unit, heading + ", " + axis.unit, ColumnKind::number, description};
 }
 
-Column listed_column(const char* table, const char* key) {
-  return listed_column(
-      {std::string(table) + "." + key, parameters()[parameter_index(table, key)].unit, {}, {}, {}});
+Column listed_column(const Parameter& parameter) {
+  return listed_column(CaseAxis{parameter.name(), parameter.unit, {}, {}, {}});
 }
 
 bool lists_more_than_friction_value(const Results& results) {
@@ -181,7 +180,8 @@ constexpr std::size_t most_friction = 60;  // characters in a line of several th
 }  // namespace
 
 std::string friction_and_listed(const Results& results, const RunResults& run) {
-  const std::string listed = results.cases.describe(combination_of(results, run), "friction.value");
+  const std::string listed =
+      results.cases.describe(combination_of(results, run), {"friction.value"});
   return listed.empty() ? run.friction : run.friction + "; " + listed;
 }
 

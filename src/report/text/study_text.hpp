@@ -35,7 +35,7 @@ inline const Column threshold_column = {"threshold", "m", "Clearance, m (in)", C
                                         "clearance threshold"};
 /// The column of a quantity: "Building period, s".
 Column listed_column(const CaseAxis& axis);
-Column listed_column(const char* table, const char* key);
+Column listed_column(const Parameter& parameter);
 /// The label of a run is not all that distinguishes it from the others.
 bool lists_more_than_friction_value(const Results& results);
 /// A table whose rows begin with the label of a run, with a column for each quantity that the study

@@ -79,7 +79,7 @@ class Buildings {
 /// standard and the level.
 VerdictRow kind_of_array(const StudyConfig& config, const CaseSet& set, std::size_t combination) {
   VerdictRow row{.first_case = set.index(combination, 0, 0),
-                 .condition = set.describe(combination, Buildings::period_key)};
+                 .condition = set.describe(combination, {Buildings::period_key})};
   const std::span cases(set.cases.data() + row.first_case, set.per_combination());
   const auto mean_beyond = [&](double first, auto value) {  // exactly the first if all are equal
     double beyond = 0.0;

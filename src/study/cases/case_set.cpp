@@ -63,7 +63,7 @@ std::vector<ListedQuantity> axes_of(const StudyConfig& config) {
     const Quantity& quantity = config.quantities[i];
     if (quantity.is_drawn()) continue;
     axes.push_back(
-        {{std::string(p.table) + "." + p.key, p.unit, quantity.values, {}, {}},
+        {{p.name(), p.unit, quantity.values, {}, {}},
          [&p, values = quantity.values](Case& c, std::size_t k) { p.of(c) = values[k]; }});
   }
   return axes;
@@ -178,7 +178,7 @@ std::string CaseSet::label(std::size_t combination) const {
 
 std::string CaseAxis::words() const {
   for (const Parameter& p : parameters()) {
-    if (key == std::string(p.table) + "." + p.key) return p.words;
+    if (key == p.name()) return p.words;
   }
   return key == "vertical.use" ? "vertical motion" : key.substr(0, key.find('.'));
 }
@@ -188,11 +188,12 @@ std::string CaseAxis::describe(std::size_t i) const {
   return words() + " " + short_text(values, i, 3) + (unit == "-" ? "" : " " + unit);
 }
 
-std::string CaseGrid::describe(std::size_t combination, const std::string& without) const {
+std::string CaseGrid::describe(std::size_t combination,
+                               const std::vector<std::string>& without) const {
   std::string text;
   const std::vector<std::size_t> place = places(combination);
   for (std::size_t i = 0; i < axes.size(); ++i) {
-    if (axes[i].key == without) continue;
+    if (std::ranges::find(without, axes[i].key) != without.end()) continue;
     text += (text.empty() ? "" : ", ") + axes[i].describe(place[i]);
   }
   return text;

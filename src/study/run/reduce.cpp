@@ -122,7 +122,7 @@ void analyse_again(StudyConfig study, Results& results) {
     study.sampling =
         study.sampling.first_blocks(results.cases.samples / study.sampling.blocks().size);
   put_study(study, results);
-  static_cast<AnalysisResults&>(results) = {};
+  static_cast<Analyses::InResults&>(results) = {};
   analyse(Analyses(), study, results);
   add_remarks_on_analyses(study, results);
 }

@@ -55,7 +55,6 @@ TEST(chart_report, names_the_factor_of_the_study) {
   Results results = made_up_chart_results();
   EXPECT_THAT(csv_chart(results).columns[3].heading, states("1.1 x"));
   for (ChartPoint& p : results.chart->points) p.clearance_m *= 1.3 / 1.1;
-  results.conditions = condition_table(results);
   results.clearance = required_clearance(results, {.factor = 1.3});
   EXPECT_THAT(csv_chart(results).columns[3].heading, states("1.3 x"));
   EXPECT_THAT(answer_sentences(results), Contains(states("1.3 x")));

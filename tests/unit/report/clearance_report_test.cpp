@@ -27,7 +27,6 @@ using testing::Not;
 constexpr double inch = 0.0254;
 
 void analyse(Results& r, OrientationRule rule = OrientationRule::median) {
-  r.conditions = condition_table(r);
   r.clearance = required_clearance(r, {.orientation = rule});
 }
 
@@ -189,7 +188,7 @@ TEST(clearance_report, shows_the_design_earthquake_else_the_highest_level) {
     // No displacement at the second level.
     const Results r = made_up(study_of_levels(shown.levels),
                               [](const auto& at) { return at.level == 0 ? 1.0 : 0.0; });
-    const ConditionGrid& grid = r.conditions->grid;
+    const ConditionGrid grid(r);
     EXPECT_EQ(shown_condition(grid)[ConditionAxis::level], shown.place);
     EXPECT_DOUBLE_EQ(clearance_figures(r)[1].panels.at(0).rules.at(0).at, shown.clearance_m);
     EXPECT_THAT(clearance_reading(r, ClearanceTopic::period),
@@ -198,10 +197,9 @@ TEST(clearance_report, shows_the_design_earthquake_else_the_highest_level) {
   StudyConfig study = study_of_levels({0.5, 2.0 / 3, 1.0});
   study.intensity.measure = IntensityMeasure::sds_g;
   Results r = made_up(study);  // 2/3 g is no design earthquake
-  EXPECT_EQ(shown_condition(r.conditions->grid)[ConditionAxis::level], 2u);
+  const ConditionGrid grid(r);
+  EXPECT_EQ(shown_condition(grid)[ConditionAxis::level], 2u);
   r.model.dbe_level = 2.0 / 3;  // of a target with this S_DS it is
-  analyse(r);
-  const ConditionGrid& grid = r.conditions->grid;
   EXPECT_EQ(shown_condition(grid)[ConditionAxis::level], 1u);
   EXPECT_EQ(label_of(grid, ConditionAxis::level, 1), "DBE, S_DS = 0.667 g");
   EXPECT_EQ(label_of(grid, ConditionAxis::level, 2), "MCE, S_DS = 1.00 g");

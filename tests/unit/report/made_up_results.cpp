@@ -192,8 +192,6 @@ SuiteSpectra spectra_of(std::size_t record_count) {
   return spectra;
 }
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
-
 /// Every combination of the chart's slopes, frictions and periods, run once.
 void list_chart_cases(Results& results) {
   const Chart& chart = *results.chart;

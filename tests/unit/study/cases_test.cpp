@@ -62,7 +62,7 @@ TEST(cases, are_combinations_by_samples_by_orientations) {
 TEST(cases, are_described_in_words_and_not_in_keys) {
   const CaseSet set = PlannedCases(mixed_config()).stored();
   EXPECT_EQ(set.describe(0), "sampled friction, building period 0.25 s, slope -2.5 deg");
-  EXPECT_EQ(set.describe(0, "friction.value"), "building period 0.25 s, slope -2.5 deg");
+  EXPECT_EQ(set.describe(0, {"friction.value"}), "building period 0.25 s, slope -2.5 deg");
   for (const Parameter& p : parameters()) {
     const CaseAxis axis{std::string(p.table) + "." + p.key, p.unit, {1.0}, {}};
     EXPECT_EQ(axis.describe(0).find_first_of("_.="), std::string::npos) << axis.describe(0);

@@ -10,7 +10,7 @@
 #include "glissade/block/tipping.hpp"
 #include "glissade/building/roof_motion.hpp"
 #include "glissade/core/units.hpp"
-#include "glissade/study/analysis/conditions/condition_table.hpp"
+#include "glissade/study/analysis/conditions/condition_grid.hpp"
 #include "unit/study/small_study.hpp"
 
 namespace glissade {
@@ -252,9 +252,9 @@ TEST(chart, of_one_study_with_fragility_and_clearance_agrees_with_them) {
   ASSERT_EQ(results.runs.size(), 4u);
   EXPECT_EQ(results.runs[1].label, "sampled_period_s_0_5");
   EXPECT_EQ(results.runs[2].label, "design_period_s_0_2");
-  const ConditionTable& clearance = *results.conditions;
-  EXPECT_NEAR(clearance.friction[0], 0.2, 1e-15);
-  ASSERT_EQ(clearance.grid.count(), 4u);  // levels, periods
+  const ConditionGrid clearance(results);
+  EXPECT_NEAR(clearance.case_at({}).friction, 0.2, 1e-15);
+  ASSERT_EQ(clearance.count(), 4u);  // levels, periods
   for (std::size_t level = 0; level < 2; ++level) {
     for (std::size_t period = 0; period < 2; ++period) {
       // Chart and fragility: over records and samples. Clearance: at the design friction.
@@ -262,7 +262,8 @@ TEST(chart, of_one_study_with_fragility_and_clearance_agrees_with_them) {
                   results.runs[period].slip[level].mean_m, 1e-14);
       double sum = 0.0;
       for (std::size_t record = 0; record < 3; ++record)
-        sum += clearance.at(record, 0, 2 * level + period).displacement_m;
+        sum +=
+            clearance.history(record, 0, clearance.position(2 * level + period)).displacement_m();
       EXPECT_NEAR(sum / 3, results.runs[2 + period].slip[level].mean_m, 1e-14);
       EXPECT_GT(sum / 3, results.runs[period].slip[level].mean_m);
     }

@@ -39,7 +39,6 @@ Results by_hand(double a_last_m = 0.0, double more_m = 0.0) {
                                           by_record[at.record][2 * at.orientation + last];
                                       return {x + (last ? more_m : 0.0), 0.9 * x, 0.3 * x, 0.4 * x};
                                     });
-  r.conditions = condition_table(r);
   return r;
 }
 
@@ -119,7 +118,6 @@ TEST(suite_mean, each_records_stronger_component_falls_with_the_roof) {
   EXPECT_DOUBLE_EQ(strong.reversed, 6.0);     // a 4, b 8
   Results r = by_hand();
   r.cases.cases[3].orientation.ground_azimuth_deg = 22.5;
-  r.conditions = condition_table(r);
   EXPECT_TRUE(std::isnan(stronger_along(r, {}, {}, Periods::one).reversed));
 }
 

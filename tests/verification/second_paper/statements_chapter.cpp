@@ -28,12 +28,18 @@ double median_mm(const Results& r, const Condition& at = {}, Periods periods = P
 
 Condition last(const Results& r, ConditionAxis axis) {
   Condition at;
-  at[axis] = r.conditions->grid.size(axis) - 1;
+  at[axis] = ConditionGrid(r).size(axis) - 1;
   return at;
 }
 
-std::size_t place_of(const auto& values, const auto& value) {
-  return static_cast<std::size_t>(std::ranges::find(values, value) - values.begin());
+/// The place along an axis where a member of the cases has a value.
+template <class T>
+Condition place_of(const Results& r, ConditionAxis axis, const Condition& at,
+                   T glissade::Case::*member, std::type_identity_t<T> value) {
+  const ConditionGrid grid(r);
+  const std::vector<Condition> places = along(grid, axis, at);
+  return *std::ranges::find_if(
+      places, [&](const Condition& place) { return grid.case_at(place).*member == value; });
 }
 
 const std::string paper = "Walters et al. 2012, ";
@@ -43,12 +49,12 @@ std::vector<double> base_shear_ratios(const Results& r, ArraySupport other) {
   const auto shear = [&](const Condition& at, ArraySupport support) {
     return over_orientations(
                r, {.number = HistoryNumber::base_shear},
-               at.with(ConditionAxis::support, place_of(r.conditions->grid.support, support)),
+               place_of(r, ConditionAxis::support, at, &glissade::Case::support, support),
                Periods::one)
         .median;
   };
   std::vector<double> ratios;
-  for (const Condition& at : along(r.conditions->grid, ConditionAxis::period))
+  for (const Condition& at : along(ConditionGrid(r), ConditionAxis::period))
     ratios.push_back(shear(at, ArraySupport::isolated) / shear(at, other));
   return ratios;
 }
@@ -63,7 +69,7 @@ Case base_shear_case(const Results& r) {
 Case slope_case(const Results& r) {
   int falling = 0, pairs = 0;
   double before = 0.0;
-  for (const Condition& at : along(r.conditions->grid, ConditionAxis::slope)) {
+  for (const Condition& at : along(ConditionGrid(r), ConditionAxis::slope)) {
     const double now = median_m(r, at, Periods::largest);
     falling += now > before ? 0 : 1;
     ++pairs;
@@ -105,15 +111,15 @@ Finding on_level(const Results& r, bool confirmed) {
 }
 
 Finding on_yielding(const Results& r) {
-  const ConditionGrid& grid = r.conditions->grid;
+  const ConditionGrid grid(r);
   const auto ratios = [&](double strength) {
     std::vector<double> all;
     for (const Condition& at : along(grid, ConditionAxis::period)) {
       const auto means = [&](double R) {
-        return means_by_orientation(
-            r, {},
-            at.with(ConditionAxis::response_modification, place_of(grid.response_modification, R)),
-            Periods::one);
+        return means_by_orientation(r, {},
+                                    place_of(r, ConditionAxis::response_modification, at,
+                                             &glissade::Case::response_modification, R),
+                                    Periods::one);
       };
       std::vector<double> over = means(strength);
       const std::vector<double> reference = means(1.0);
@@ -129,8 +135,9 @@ Finding on_yielding(const Results& r) {
       "Fig. 15: yielding significantly reduces sliding, except for R = 2",
       fmt::format("displacement over that at R = 1, T = {:g}, {:g} and {:g} s: {:.2f}, {:.2f} and "
                   "{:.2f} at R = 2; {:.2f}, {:.2f} and {:.2f} at R = 3",
-                  grid.period_s.at(0), grid.period_s.at(1), grid.period_s.at(2), two.at(0),
-                  two.at(1), two.at(2), three.at(0), three.at(1), three.at(2)),
+                  grid.value(ConditionAxis::period, 0), grid.value(ConditionAxis::period, 1),
+                  grid.value(ConditionAxis::period, 2), two.at(0), two.at(1), two.at(2),
+                  three.at(0), three.at(1), three.at(2)),
       !reduced    ? "no"
       : exception ? "yes"
                   : "yes, but R = 2 is no exception"};
@@ -165,7 +172,8 @@ Finding on_friction(const Results& r) {
   const auto falling = [&](SlopeAxis axis) {
     return 1e3 * over_orientations(r, {.slope_axis = axis}, {}, Periods::largest).median;
   };
-  const auto& friction = r.conditions->friction;
+  const glissade::Case& c = ConditionGrid(r).case_at({});
+  const double friction[] = {c.friction_on(SlopeAxis::e_w), c.friction_on(SlopeAxis::n_s)};
   const double e_w = falling(SlopeAxis::e_w), n_s = falling(SlopeAxis::n_s);
   return {"it is conservative to take the lower of two frictions down the slope",
           fmt::format("{:.0f} mm with {:g} down the slope, {:.0f} mm with {:g}", e_w, friction[0],
@@ -182,7 +190,7 @@ Finding on_mass(const Results& r) {
 
 Finding on_vertical(const Results& r) {
   std::vector<double> mm;
-  for (const Condition& at : along(r.conditions->grid, ConditionAxis::vertical))
+  for (const Condition& at : along(ConditionGrid(r), ConditionAxis::vertical))
     mm.push_back(median_mm(r, at));
   const auto [low, high] = std::minmax_element(mm.begin() + 2, mm.end());
   return {

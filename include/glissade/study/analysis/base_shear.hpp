@@ -23,7 +23,7 @@ struct BaseShearAnalysis {
   struct InResults {
     std::optional<BaseShearResults> base_shear;
   };
-  static BaseShearResults find(const StudyConfig& study, Results& results);
+  static BaseShearResults find(const StudyConfig& study, const Results& results);
   static constexpr auto keeps = &KeptFields::base_shear;
   static AnalysisInFiles in_files();
   static AnalysisReport in_report();

@@ -43,7 +43,7 @@ struct ClearanceAnalysis {
   struct InResults {
     std::optional<ClearanceResults> clearance;
   };
-  static ClearanceResults find(const StudyConfig& study, Results& results);
+  static ClearanceResults find(const StudyConfig& study, const Results& results);
   static constexpr auto keeps = &KeptFields::by_axis;
   static AnalysisInFiles in_files();
   static AnalysisReport in_report();

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <string>
 
 #include "glissade/block/friction_law.hpp"
 #include "glissade/study/cases/orientation.hpp"
@@ -55,6 +56,10 @@ struct Case {
   FrictionValue friction_value = FrictionValue::as_drawn;
   Orientation orientation;
 
+  /// Along an axis of the array.
+  double friction_on(SlopeAxis axis) const {
+    return orientation.slope_axis == axis ? friction : friction_across;
+  }
   bool yields() const { return response_modification > 0.0 || yield_coefficient > 0.0; }
 };
 
@@ -82,6 +87,7 @@ struct Parameter {
 
   /// It decides how the roof moves: cases that differ in no such parameter share a roof.
   bool moves_roof() const;
+  std::string name() const { return std::string(table) + "." + key; }  ///< "building.period_s"
 };
 std::span<const Parameter> parameters();
 /// The row of a key. Precondition: there is one.

@@ -53,8 +53,8 @@ struct CaseGrid {
   std::size_t combination(const std::vector<std::size_t>& places) const;
   /// Position of an axis; axes.size() where the study has one value.
   std::size_t axis(const std::string& key) const;
-  /// "design friction, building period 0.5 s", without one axis; empty where nothing is listed.
-  std::string describe(std::size_t combination, const std::string& without = "") const;
+  /// "design friction, building period 0.5 s", without some axes; empty where nothing is listed.
+  std::string describe(std::size_t combination, const std::vector<std::string>& without = {}) const;
 };
 
 /// The cases of results, stored.

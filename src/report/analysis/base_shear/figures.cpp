@@ -10,13 +10,13 @@ using enum ConditionAxis;
 
 /// Fig. 16: base shear over the period by support.
 Figure by_support_figure(const Results& results) {
-  const ConditionGrid& grid = results.conditions->grid;
+  const ConditionGrid grid(results);
   const View view =
       medians_over(results, period, base_shear_table(results), shown_along(grid, support),
                    [&](const Condition& at) { return label_of(grid, support, at); });
   return {"base_shear",
-          has_several(grid, support) ? "Base shear of the building: array isolated, anchored, none"
-                                     : "Base shear of the building",
+          grid.has_several(support) ? "Base shear of the building: array isolated, anchored, none"
+                                    : "Base shear of the building",
           below_text(results),
           "After Walters et al. (2012), Fig. 16. Mean over the suite of each history's SRSS of the "
           "peak base shears along both axes, over the weight of the building without the array.",
@@ -27,10 +27,10 @@ Figure by_support_figure(const Results& results) {
 
 /// The same over that without an array, which must be among the supports.
 Figure ratio_figure(const Results& results) {
-  const ConditionGrid& grid = results.conditions->grid;
+  const ConditionGrid grid(results);
   Places supports = shown_along(grid, support);
   std::erase_if(supports, [&](const Condition& at) {
-    return grid.support[at[support]] == ArraySupport::no_array;
+    return grid.case_at(at).support == ArraySupport::no_array;
   });
   View view = medians_over(results, period, base_shear_ratio_table(results), supports,
                            [&](const Condition& at) { return label_of(grid, support, at); });
@@ -49,9 +49,9 @@ Figure ratio_figure(const Results& results) {
 }  // namespace
 
 std::vector<Figure> base_shear_figures(const Results& results) {
-  const ConditionGrid& grid = results.conditions->grid;
+  const ConditionGrid grid(results);
   std::vector<Figure> figures;
-  if (!has_several(grid, ConditionAxis::period) && !has_several(grid, ConditionAxis::support))
+  if (!grid.has_several(ConditionAxis::period) && !grid.has_several(ConditionAxis::support))
     return figures;
   figures.push_back(by_support_figure(results));
   if (!base_shear_ratio_table(results).rows.empty()) figures.push_back(ratio_figure(results));

@@ -18,16 +18,17 @@ namespace {
 
 /// Of the isolated array beside the other supports; "" where there are none.
 std::string comparison(const Results& r) {
-  const auto isolated = place_of(r.conditions->grid, ArraySupport::isolated);
-  if (!isolated || !has_several(r.conditions->grid, ConditionAxis::support)) return "";
+  const ConditionGrid grid(r);
+  const auto isolated = place_of(grid, ArraySupport::isolated);
+  if (!isolated || !grid.has_several(ConditionAxis::support)) return "";
   const MeanQuestion question{.number = HistoryNumber::base_shear};
   std::vector<std::string> parts;
   for (const ArraySupport other : {ArraySupport::anchored, ArraySupport::no_array}) {
-    const auto place = place_of(r.conditions->grid, other);
+    const auto place = place_of(grid, other);
     if (!place) continue;
     std::size_t below = 0;
     double low = INFINITY, high = 0.0;
-    for (const Condition& at : shown_along(r.conditions->grid, ConditionAxis::period)) {
+    for (const Condition& at : shown_along(grid, ConditionAxis::period)) {
       const double ratio =
           quantile_of(ratios_by_orientation(r, question, at.with(ConditionAxis::support, *isolated),
                                             at.with(ConditionAxis::support, *place)),
@@ -40,11 +41,10 @@ std::string comparison(const Results& r) {
         "{} to {} of that {}, below it at {} of {} periods", format_number(low),
         format_number(high),
         other == ArraySupport::anchored ? "with the array anchored" : "without an array", below,
-        r.conditions->grid.period_s.size()));
+        grid.size(ConditionAxis::period)));
   }
-  const ConditionGrid& grid = r.conditions->grid;
   const std::string level =
-      has_several(grid, ConditionAxis::level)
+      grid.has_several(ConditionAxis::level)
           ? "At " + label_of(grid, ConditionAxis::level, shown_condition(grid)) + ", with"
           : "With";
   return fmt::format("{} the array isolated the base shear is {}.", level,
@@ -54,7 +54,7 @@ std::string comparison(const Results& r) {
 /// The smallest and the largest of the means, and the largest history.
 std::string range_of_conditions(const Results& results) {
   const std::vector<SuiteMean>& means = results.base_shear->means;
-  const ConditionGrid& grid = results.conditions->grid;
+  const ConditionGrid grid(results);
   const auto median = [](const SuiteMean& mean) { return mean.range.median; };
   const auto [least, most] = std::ranges::minmax_element(means, {}, median);
   const auto largest = std::ranges::max_element(means, {}, &SuiteMean::largest);
@@ -85,7 +85,7 @@ MeansByCondition means_of(const Results& results) {
   return {results,
           ConditionColumns(results),
           nullptr,
-          all_conditions(results.conditions->grid),
+          all_conditions(ConditionGrid(results)),
           results.base_shear->means,
           ColumnKind::number};
 }
@@ -107,7 +107,7 @@ Table base_shear_table(const Results& results) {
 }
 
 Table base_shear_ratio_table(const Results& results) {
-  const ConditionGrid& grid = results.conditions->grid;
+  const ConditionGrid grid(results);
   const auto bare = place_of(grid, ArraySupport::no_array);
   std::vector<Condition> places = all_conditions(grid);
   std::erase_if(places,

@@ -22,7 +22,7 @@ Figure suite_figure(const Results& results) {
   const SuiteSpectra& spectra = suite.spectra;
   const std::string as_scaled =
       spectra.reference_level > 0.0
-          ? results.conditions->grid.level_symbol + " = " + level_number(spectra.reference_level)
+          ? results.intensity_symbol + " = " + level_number(spectra.reference_level)
       : suite.target.empty() ? "as given"
                              : "scaled to MCE";
   return spectra_figure(
@@ -38,7 +38,7 @@ std::string after_walters(const Results& results, int figure, const std::string&
 
 /// Fig. 13: displacement over the building's period, by m/M and vertical.
 Figure period_figure(const Results& results) {
-  const ConditionGrid& grid = results.conditions->grid;
+  const ConditionGrid grid(results);
   constexpr std::size_t most_lines = 3;  // beside the clearance
   Places members = places_of(grid, vertical, mass);
   const auto mean_m = [&](const Condition& at) {
@@ -79,7 +79,7 @@ Figure period_figure(const Results& results) {
 }
 
 std::string left_out_text(const Results& results, std::size_t most) {
-  const std::size_t periods = results.conditions->grid.period_s.size();
+  const std::size_t periods = ConditionGrid(results).size(period);
   if (periods <= most) return "";
   return fmt::format(" Of {} building periods {} are drawn; all are in tables/by_period.csv.",
                      periods, most);
@@ -88,11 +88,12 @@ std::string left_out_text(const Results& results, std::size_t most) {
 /// A line over an axis for each of the building periods, or of as many as a panel takes.
 View by_building(const Results& results, ConditionAxis x, const Table& table,
                  std::size_t most = 99) {
-  const Places all = shown_along(results.conditions->grid, period);
+  const ConditionGrid grid(results);
+  const Places all = shown_along(grid, period);
   Places drawn;
   for (const std::size_t i : evenly(all.size(), most)) drawn.push_back(all[i]);
   return medians_over(results, x, table, drawn, [&](const Condition& at) {
-    return "building of " + label_of(results.conditions->grid, period, at);
+    return "building of " + label_of(grid, period, at);
   });
 }
 
@@ -128,7 +129,7 @@ Figure level_figure(const Results& results) {
   return {"level",
           common.ends_with("level") ? "Mean displacement over the Intensity Level"
                                     : "Mean displacement by suite",
-          conditions_text(results, shown_condition(results.conditions->grid), {period, support}),
+          conditions_text(results, shown_condition(ConditionGrid(results)), {period, support}),
           after_walters(results, 14),
           {means_panel(results, {view},
                        (common.ends_with("level") ? "Intensity Level"
@@ -139,7 +140,7 @@ Figure level_figure(const Results& results) {
 
 /// Fig. 15: displacement over R, relative to that of the reference strength.
 Figure yielding_figure(const Results& results) {
-  const std::string reference = reference_strength_text(results.conditions->grid);
+  const std::string reference = reference_strength_text(ConditionGrid(results));
   View view = by_building(results, response_modification, clearance_yielding_table(results));
   keep_rows(view.table, view.x, [](double r) { return r > 0.0; });  // 0 is elastic
   return {"yielding",
@@ -157,16 +158,18 @@ Figure yielding_figure(const Results& results) {
 
 /// Fig. 17: displacement over slope by period.
 Figure slope_figure(const Results& results) {
-  const ConditionGrid& grid = results.conditions->grid;
+  const ConditionGrid grid(results);
   View largest = medians_over(results, slope, clearance_table(results), {shown_condition(grid)},
                               [](const Condition&) { return "largest over the periods"; });
   largest.lines[0].look = look(Role::median);
   largest.lines[0].look.width = 3.5;
-  for (const double slope_deg : grid.slope_deg)
+  for (std::size_t i = 0; i < grid.size(slope); ++i) {
+    const double slope_deg = grid.value(slope, i);
     largest.places.push_back({slope_deg, {slope_deg, slope_name(slope_deg)}});
+  }
   std::vector<View> views{largest};
   constexpr std::size_t most = 3;  // beside the largest
-  if (has_several(grid, period))
+  if (grid.has_several(period))
     views.push_back(by_building(results, slope, clearance_periods_table(results), most));
   return {"slope",
           "Mean displacement over the roof's slope",
@@ -177,7 +180,7 @@ Figure slope_figure(const Results& results) {
 
 /// Fig. 18: displacement over the period by level.
 Figure mce_figure(const Results& results) {
-  const ConditionGrid& grid = results.conditions->grid;
+  const ConditionGrid grid(results);
   const Places levels = shown_along(grid, level);
   const View view = medians_over(results, period, clearance_periods_table(results), levels,
                                  [&](const Condition& at) { return label_of(grid, level, at); });
@@ -207,14 +210,15 @@ Figure vertical_figure(const Results& results) {
     line.kind = as_points;
     line.look.symbol_size = 0.9;
   }
-  const ConditionGrid& grid = results.conditions->grid;
-  for (std::size_t i = 0; i < grid.vertical.size(); ++i) {
-    const auto& [use, period_s] = grid.vertical[i];
-    const std::string name = use == VerticalChoice::none ? "none"
-                             : of_roof                   ? "with"
-                             : period_s == 0.0           ? "rigid"
-                                                         : fmt::format("{:g} s", period_s);
-    view.places.push_back({condition_cell(results, vertical, i), {static_cast<double>(i), name}});
+  const ConditionGrid grid(results);
+  for (std::size_t i = 0; i < grid.size(vertical); ++i) {
+    const Case& c = grid.case_at(Condition().with(vertical, i));
+    const std::string name = c.vertical == VerticalChoice::none ? "none"
+                             : of_roof                          ? "with"
+                             : c.vertical_period_s == 0.0
+                                 ? "rigid"
+                                 : fmt::format("{:g} s", c.vertical_period_s);
+    view.places.push_back({condition_cell(grid, vertical, i), {static_cast<double>(i), name}});
   }
   return {"vertical",
           "Mean displacement by vertical motion of the roof, on several buildings",

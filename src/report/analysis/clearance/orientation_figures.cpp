@@ -24,7 +24,7 @@ Figure each_orientation_figure(const Results& results, const std::vector<std::si
   constexpr std::size_t most_in_panel = 4;
   const Table of_each = clearance_by_orientation_tables(results).front();
   const Where where =
-      rows_at(results, of_each, shown_condition(results.conditions->grid), ConditionAxis::period);
+      rows_at(results, of_each, shown_condition(ConditionGrid(results)), ConditionAxis::period);
   std::vector<Panel> panels;
   double top = 0.0;
   for (std::size_t first = 0; first < distinct.size(); first += most_in_panel) {
@@ -32,7 +32,7 @@ Figure each_orientation_figure(const Results& results, const std::vector<std::si
     const std::size_t count = std::min(most_in_panel, distinct.size() - first);
     for (std::size_t i = 0; i < count; ++i) {
       const std::size_t orientation = distinct[first + i];
-      view.lines.push_back({line_label(results, results.conditions->orientations[orientation]),
+      view.lines.push_back({line_label(results, orientation_at(results, orientation)),
                             family_look(i, count),
                             as_line_and_points,
                             "mean",
@@ -57,15 +57,15 @@ Figure each_orientation_figure(const Results& results, const std::vector<std::si
 
 /// Clearance for each slope along either axis, by m/M.
 Figure permutations_figure(const Results& results) {
-  const ConditionGrid& grid = results.conditions->grid;
+  const ConditionGrid grid(results);
   const double factor = results.clearance->factor;
-  std::vector<std::pair<std::size_t, SlopeAxis>> permutations;
+  std::vector<std::pair<Condition, SlopeAxis>> permutations;
   std::vector<std::string> ticks;
-  for (std::size_t slope = 0; slope < grid.slope_deg.size(); ++slope) {
+  for (const Condition& at : shown_along(grid, ConditionAxis::slope)) {
     for (const SlopeAxis axis : {SlopeAxis::e_w, SlopeAxis::n_s}) {
       if (orientations_of(results, {.slope_axis = axis}).empty()) continue;
-      permutations.emplace_back(slope, axis);
-      ticks.push_back(slope_name(grid.slope_deg[slope]) + " " + to_string(axis));
+      permutations.emplace_back(at, axis);
+      ticks.push_back(slope_name(grid.value(ConditionAxis::slope, at)) + " " + to_string(axis));
     }
   }
   Panel panel{"", {"Roof slope and the axis it falls along"}};
@@ -74,7 +74,7 @@ Figure permutations_figure(const Results& results) {
   panel.x.values = Axis::Values::names;
   for (std::size_t i = 0; i < ticks.size(); ++i)
     panel.x.ticks.push_back({static_cast<double>(i), ticks[i]});
-  const std::size_t masses = grid.mass_ratio.size();
+  const std::size_t masses = grid.size(ConditionAxis::mass);
   double top_m = 0.0;
   for (std::size_t m = 0; m < masses; ++m) {
     const std::string label = label_of(grid, ConditionAxis::mass, m);
@@ -86,11 +86,9 @@ Figure permutations_figure(const Results& results) {
     points.aside = bars.aside =
         0.16 * (static_cast<double>(m) - 0.5 * static_cast<double>(masses - 1));
     for (std::size_t i = 0; i < permutations.size(); ++i) {
-      Condition at = shown_condition(grid);
-      at[ConditionAxis::slope] = permutations[i].first;
-      at[ConditionAxis::mass] = m;
-      const OrientationRange range =
-          over_orientations(results, {.slope_axis = permutations[i].second}, at, Periods::largest);
+      const auto& [at, axis] = permutations[i];
+      const OrientationRange range = over_orientations(
+          results, {.slope_axis = axis}, at.with(ConditionAxis::mass, m), Periods::largest);
       points.add(static_cast<double>(i), factor * range.median);
       bars.add(points.x.back(), {factor * range.lowest, factor * range.highest});
       top_m = std::max(top_m, factor * range.highest);
@@ -115,14 +113,13 @@ Figure permutations_figure(const Results& results) {
 }  // namespace
 
 std::optional<Figure> orientation_figure(const Results& results) {
-  if (results.conditions->friction[0] != results.conditions->friction[1])
-    return permutations_figure(results);
+  if (has_two_frictions(results)) return permutations_figure(results);
   constexpr std::size_t most_lines = 8;
   std::vector<std::size_t> distinct;
-  for (std::size_t o = 0; o < results.conditions->orientations.size(); ++o) {
-    if (results.conditions->same_as[o] == o) distinct.push_back(o);
-  }
-  if (distinct.size() > most_lines || !has_several(results.conditions->grid, ConditionAxis::period))
+  const std::vector<CaseNumber> same = same_orientations(results);
+  for (std::size_t o = 0; o < same.size(); ++o)
+    if (same[o] == o) distinct.push_back(o);
+  if (distinct.size() > most_lines || !ConditionGrid(results).has_several(ConditionAxis::period))
     return std::nullopt;
   return each_orientation_figure(results, distinct);
 }

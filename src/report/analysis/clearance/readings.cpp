@@ -15,7 +15,12 @@
 namespace glissade {
 namespace {
 
-Condition shown(const Results& r) { return shown_condition(r.conditions->grid); }
+Condition shown(const Results& r) { return shown_condition(ConditionGrid(r)); }
+
+/// "T = 1 s".
+std::string period_text(const ConditionGrid& grid, std::size_t place) {
+  return fmt::format("T = {:g} s", grid.value(ConditionAxis::period, place));
+}
 
 /// A ratio below a thousandth is reported as that.
 std::string one_ratio(double ratio) { return ratio < 1e-3 ? "below 0.001" : format_number(ratio); }
@@ -55,16 +60,17 @@ std::string spectra_reading(const Results& r) {
 
 std::string period_reading(const Results& r) {
   const MeanQuestion question;
+  const ConditionGrid grid(r);
   const OrientationRange largest = over_orientations(r, question, shown(r), Periods::largest);
   const OrientationRule rule = r.clearance->orientation;
   const std::size_t period = governing_period(r, question, shown(r), rule);
   std::string text = fmt::format(
-      "At {} the suite's mean is largest at T = {:g} s. The largest over the periods is {}; times "
+      "At {} the suite's mean is largest at {}. The largest over the periods is {}; times "
       "{:g}: a required clearance of {}",
-      label_of(r.conditions->grid, ConditionAxis::level, shown(r)),
-      r.conditions->grid.period_s[period], range_text(r, largest), r.clearance->factor,
+      label_of(grid, ConditionAxis::level, shown(r)), period_text(grid, period),
+      range_text(r, largest), r.clearance->factor,
       clearance_text(r.clearance->factor * largest.of(rule)));
-  if (r.conditions->orientations.size() > 1) {
+  if (r.cases.orientations > 1) {
     const OrientationRule other =
         rule == OrientationRule::largest ? OrientationRule::median : OrientationRule::largest;
     text += fmt::format("{}; by the {} {}", rule_text(r), to_string(other),
@@ -77,7 +83,7 @@ std::string period_reading(const Results& r) {
 
 /// Which of two frictions acts down the slope.
 std::string downhill_reading(const Results& r) {
-  if (r.conditions->friction[0] == r.conditions->friction[1]) return "";
+  if (!has_two_frictions(r)) return "";
   std::string text;
   for (const SlopeAxis axis : {SlopeAxis::e_w, SlopeAxis::n_s}) {
     const MeanQuestion question{.slope_axis = axis};
@@ -86,9 +92,8 @@ std::string downhill_reading(const Results& r) {
     text += fmt::format(
         " Where the roof falls {}, with a friction of {:g} downhill, the largest mean over the "
         "periods is {}, from {} to {} over the orientations.",
-        axis == SlopeAxis::e_w ? "E-W" : "N-S",
-        r.conditions->friction[axis == SlopeAxis::e_w ? 0 : 1], format_length(range.median),
-        format_length(range.lowest), format_length(range.highest));
+        to_string(axis), ConditionGrid(r).case_at({}).friction_on(axis),
+        format_length(range.median), format_length(range.lowest), format_length(range.highest));
   }
   return text;
 }
@@ -119,13 +124,12 @@ std::string orientation_reading(const Results& r) {
         range_text(r, farthest));
   }
   const auto distinct = std::ranges::count_if(
-      r.conditions->same_as,
-      [i = std::uint64_t{0}](std::uint64_t same) mutable { return same == i++; });
-  if (static_cast<std::size_t>(distinct) < r.conditions->orientations.size()) {
+      same_orientations(r), [i = CaseNumber{0}](CaseNumber same) mutable { return same == i++; });
+  if (static_cast<std::size_t>(distinct) < r.cases.orientations) {
     text += fmt::format(
         " Of the {} only {} differ: a change of sign {} mirrors a history{}.", orientations_text(r),
         distinct, slides_on_two_axes(r) ? "across the slope" : "on a flat roof",
-        slides_on_two_axes(r) && r.conditions->friction[0] == r.conditions->friction[1]
+        slides_on_two_axes(r) && !has_two_frictions(r)
             ? ", and with one friction in both directions it does not matter along which of them "
               "the roof falls"
             : "");
@@ -140,12 +144,11 @@ std::string level_reading(const Results& r) {
     parts.push_back(fmt::format("{} {}", r.suites[suite].name, range_text(r, range)));
   }
   return fmt::format("On a building of {}: {}.",
-                     label_of(r.conditions->grid, ConditionAxis::period, 0),
-                     fmt::join(parts, "; "));
+                     label_of(ConditionGrid(r), ConditionAxis::period, 0), fmt::join(parts, "; "));
 }
 
 std::string yielding_reading(const Results& r) {
-  const ConditionGrid& grid = r.conditions->grid;
+  const ConditionGrid grid(r);
   std::vector<std::string> buildings;
   for (const Condition& building : shown_along(grid, ConditionAxis::period)) {
     const Condition reference = with_reference_strength(grid, building);
@@ -169,13 +172,13 @@ std::string yielding_reading(const Results& r) {
 std::string slope_reading(const Results& r) {
   std::vector<std::string> parts;
   double flattest = 0.0, steepest = 0.0;
-  for (const Condition& at : shown_along(r.conditions->grid, ConditionAxis::slope)) {
+  const ConditionGrid grid(r);
+  for (const Condition& at : shown_along(grid, ConditionAxis::slope)) {
     const OrientationRange range = over_orientations(r, {}, at, Periods::largest);
     if (at[ConditionAxis::slope] == 0) flattest = range.median;
     steepest = range.median;
-    parts.push_back(
-        fmt::format("{} on {}", format_length(range.median),
-                    slope_text(r.conditions->grid.slope_deg[at[ConditionAxis::slope]])));
+    parts.push_back(fmt::format("{} on {}", format_length(range.median),
+                                slope_text(grid.value(ConditionAxis::slope, at))));
   }
   return fmt::format(
       "Largest mean over the periods: {}; {} times as much on the steepest as on the flattest.",
@@ -183,8 +186,8 @@ std::string slope_reading(const Results& r) {
 }
 
 std::string mce_reading(const Results& r) {
-  const ConditionGrid& grid = r.conditions->grid;
-  const std::size_t last = grid.level.size() - 1;
+  const ConditionGrid grid(r);
+  const std::size_t last = grid.size(ConditionAxis::level) - 1;
   Condition high;
   high[ConditionAxis::level] = last;
   const std::size_t governing = governing_period(r, {}, {}, r.clearance->orientation);
@@ -195,11 +198,11 @@ std::string mce_reading(const Results& r) {
   const std::string low_name = label_of(grid, ConditionAxis::level, 0),
                     high_name = label_of(grid, ConditionAxis::level, last);
   const std::string text = fmt::format(
-      "Largest over the periods: {} at {} (at T = {:g} s), {} at {}. At T = {:g} s: {} at {}, {} "
+      "Largest over the periods: {} at {} (at {}), {} at {}. At {}: {} at {}, {} "
       "at {}",
-      format_length(weak.median), low_name, grid.period_s[governing],
-      format_length(strongest.median), high_name, grid.period_s.front(),
-      format_length(first.median), low_name, format_length(strong.median), high_name);
+      format_length(weak.median), low_name, period_text(grid, governing),
+      format_length(strongest.median), high_name, period_text(grid, 0), format_length(first.median),
+      low_name, format_length(strong.median), high_name);
   if (!(weak.median > 0.0)) return text + ".";
   return text + fmt::format("; the latter is {} times the largest at {}.",
                             format_number(strong.median / weak.median), low_name);
@@ -209,18 +212,19 @@ std::string mce_reading(const Results& r) {
 template <ConditionAxis axis>
 std::string axis_reading(const Results& r) {
   std::vector<std::string> parts;
-  for (const Condition& at : shown_along(r.conditions->grid, axis)) {
+  const ConditionGrid grid(r);
+  for (const Condition& at : shown_along(grid, axis)) {
     const OrientationRange range = over_orientations(r, {}, at, Periods::largest);
-    parts.push_back(fmt::format(
-        "{}: {} at T = {:g} s", label_of(r.conditions->grid, axis, at), range_text(r, range),
-        r.conditions->grid.period_s[governing_period(r, {}, at, r.clearance->orientation)]));
+    parts.push_back(
+        fmt::format("{}: {} at {}", label_of(grid, axis, at), range_text(r, range),
+                    period_text(grid, governing_period(r, {}, at, r.clearance->orientation))));
   }
   return fmt::format("Largest mean over the periods. {}.", fmt::join(parts, "; "));
 }
 
 template <ConditionAxis axis>
 bool several(const Results& r) {
-  return has_several(r.conditions->grid, axis);
+  return ConditionGrid(r).has_several(axis);
 }
 
 struct Topic {
@@ -235,14 +239,14 @@ constexpr Topic topics[] = {
     {[](const Results&) { return false; }, level_reading},
     {[](const Results& r) {
        return several<ConditionAxis::response_modification>(r) &&
-              r.conditions->grid.response_modification.front() == 0.0;
+              ConditionGrid(r).case_at({}).response_modification == 0.0;
      },
      yielding_reading},
     {several<ConditionAxis::slope>, slope_reading},
     {several<ConditionAxis::level>, mce_reading},
     {several<ConditionAxis::vertical>, axis_reading<ConditionAxis::vertical>},
     {several<ConditionAxis::mass>, axis_reading<ConditionAxis::mass>},
-    {[](const Results& r) { return r.conditions->orientations.size() > 1; }, orientation_reading}};
+    {[](const Results& r) { return r.cases.orientations > 1; }, orientation_reading}};
 
 const Topic& topic_of(ClearanceTopic topic) { return topics[static_cast<std::size_t>(topic)]; }
 

@@ -37,8 +37,7 @@ std::vector<std::string> explained(const Results& r) {
 /// Those of a page.
 std::vector<Table> page_tables(const Results& results) {
   std::vector<Table> tables{clearance_table(results), clearance_periods_table(results)};
-  if (results.conditions->orientations.size() > 1)
-    tables.push_back(clearance_orientations_table(results));
+  if (results.cases.orientations > 1) tables.push_back(clearance_orientations_table(results));
   return tables;
 }
 

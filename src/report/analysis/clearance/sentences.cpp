@@ -21,17 +21,17 @@ std::string what_was_run(const Results& r) {
   for (const SuiteSummary& suite : r.suites) suites.push_back(suite.name);
   const auto without = std::ranges::count_if(
       r.records, [](const RecordSummary& record) { return !record.has_vertical; });
-  std::string text = fmt::format("{} conditions, {} records of {}", r.conditions->grid.count(),
-                                 r.records.size(), fmt::join(suites, ", "));
-  if (r.conditions->orientations.size() > 1) text += fmt::format(", {}", orientations_text(r));
-  const ConditionGrid& grid = r.conditions->grid;
+  const ConditionGrid grid(r);
+  std::string text = fmt::format("{} conditions, {} records of {}", grid.count(), r.records.size(),
+                                 fmt::join(suites, ", "));
+  if (r.cases.orientations > 1) text += fmt::format(", {}", orientations_text(r));
   const Condition shown = shown_condition(grid);
   text += fmt::format(". Shown, where nothing else is stated: {}.", conditions_text(r, shown));
-  if (has_several(grid, ConditionAxis::level))
-    text +=
-        fmt::format(" Of the {} levels this is {}.", grid.level.size(),
-                    shown[ConditionAxis::level] + 1 == grid.level.size() ? "the highest"
-                                                                         : "the design earthquake");
+  if (grid.has_several(ConditionAxis::level))
+    text += fmt::format(" Of the {} levels this is {}.", grid.size(ConditionAxis::level),
+                        shown[ConditionAxis::level] + 1 == grid.size(ConditionAxis::level)
+                            ? "the highest"
+                            : "the design earthquake");
   if (without > 0) text += fmt::format(" {} of the records have no vertical component.", without);
   const double uplift = uplift_share(r);
   if (uplift > 0.0)
@@ -44,7 +44,7 @@ std::string what_was_run(const Results& r) {
 
 /// Not the rule of a chart, which takes of each record the orientation that slides farthest.
 std::string clearance_rule_text(const Results& r) {
-  const bool several = r.conditions->orientations.size() > 1;
+  const bool several = r.cases.orientations > 1;
   const std::string orientation =
       several ? fmt::format(" with all records in the same orientation{} (clearance.orientation)",
                             rule_text(r))
@@ -60,14 +60,15 @@ std::string clearance_rule_text(const Results& r) {
 
 /// The smallest and the largest clearance of all conditions in which the array may slide.
 std::string range_of_conditions(const Results& r) {
-  const std::vector<Condition> places = sliding_conditions(r.conditions->grid, Periods::largest);
+  const ConditionGrid grid(r);
+  const std::vector<Condition> places = sliding_conditions(grid, Periods::largest);
   const std::vector<RequiredClearance>& required = r.clearance->required;
   std::vector<std::pair<double, std::string>> clearances;
   for (std::size_t i = 0; i < required.size(); ++i) {
     clearances.emplace_back(
         std::isfinite(required[i].clearance_m) ? required[i].clearance_m : infinity,
         (r.suites.size() > 1 ? r.suites[required[i].largest.suite].name + ", " : std::string()) +
-            distinguished(r.conditions->grid, places[i % places.size()],
+            distinguished(grid, places[i % places.size()],
                           {ConditionAxis::period, ConditionAxis::support}));
   }
   if (clearances.size() < 2) return "";

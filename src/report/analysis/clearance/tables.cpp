@@ -28,7 +28,7 @@ MeansByCondition largest_means(const Results& results) {
   MeansByCondition of{results,
                       conditions_of(results),
                       below_roof(results, governing_column),
-                      sliding_conditions(results.conditions->grid, Periods::largest),
+                      sliding_conditions(ConditionGrid(results), Periods::largest),
                       {}};
   for (const RequiredClearance& required : results.clearance->required)
     of.means.push_back(required.largest);
@@ -37,7 +37,7 @@ MeansByCondition largest_means(const Results& results) {
 
 MeansByCondition means_by_period(const Results& results) {
   return {results, conditions_of(results), below_roof(results, period_column),
-          sliding_conditions(results.conditions->grid, Periods::one), results.clearance->by_period};
+          sliding_conditions(ConditionGrid(results), Periods::one), results.clearance->by_period};
 }
 
 }  // namespace
@@ -69,7 +69,7 @@ Table clearance_periods_table(const Results& results) {
 }
 
 Table clearance_yielding_table(const Results& results) {
-  const ConditionGrid& grid = results.conditions->grid;
+  const ConditionGrid grid(results);
   std::vector<Condition> places = sliding_conditions(grid, Periods::one);
   if (!covers(results, ClearanceTopic::yielding)) places.clear();
   return ratios_table({results,
@@ -97,14 +97,17 @@ Table clearance_orientations_table(const Results& results) {
               "The suite's mean displacement in each orientation of all records" +
                   std::string(of_roof ? "; " : ", by building period; ") +
                   results.suites.front().name + ", " +
-                  conditions_text(results, shown_condition(results.conditions->grid),
+                  conditions_text(results, shown_condition(ConditionGrid(results)),
                                   {ConditionAxis::period, ConditionAxis::support}),
               {text_column("orientation", "Orientation", "orientation of all records"),
                {"same_as", "", "Gives the same as", ColumnKind::count,
                 "number of the first orientation with the same histories"}},
               {},
               {}};
-  for (const double period : results.conditions->grid.period_s) {
+  const ConditionGrid grid(results);
+  const Places periods = shown_along(grid, ConditionAxis::period);
+  for (const Condition& at : periods) {
+    const double period = grid.value(ConditionAxis::period, at);
     table.columns.push_back(
         {of_roof ? "mean" : fmt::format("t_{:g}s", period), "m",
          of_roof ? "Mean, m (in)" : fmt::format("T {:g} s, m (in)", period), ColumnKind::length,
@@ -112,13 +115,13 @@ Table clearance_orientations_table(const Results& results) {
   }
   append(table.columns, {range_column("largest", "Largest", "largest of the building periods"),
                          range_column("clearance", "Clearance", "required clearance by the rule")});
-  for (std::size_t o = 0; o < results.conditions->orientations.size(); ++o) {
+  const std::vector<CaseNumber> same = same_orientations(results);
+  for (std::size_t o = 0; o < same.size(); ++o) {
     std::vector<Cell> row{
-        fmt::format("{}: {}", o + 1,
-                    orientation_text(results, results.conditions->orientations[o])),
-        static_cast<double>(results.conditions->same_as[o] + 1)};
+        fmt::format("{}: {}", o + 1, orientation_text(results, orientation_at(results, o))),
+        static_cast<double>(same[o] + 1)};
     double largest = 0.0;
-    for (const Condition& at : shown_along(results.conditions->grid, ConditionAxis::period)) {
+    for (const Condition& at : periods) {
       const double mean = suite_mean(results, {}, o, at);
       largest = std::max(largest, mean);
       row.emplace_back(mean);
@@ -130,7 +133,9 @@ Table clearance_orientations_table(const Results& results) {
 }
 
 Table clearance_histories_table(const Results& results) {
-  const ConditionTable& table_of = *results.conditions;
+  const ConditionGrid grid(results);
+  const Places places = all_conditions(grid);
+  const std::vector<CaseNumber> same = same_orientations(results);
   const ConditionColumns conditions(results);
   const bool shear = results.base_shear.has_value();
   Table table{"histories",
@@ -153,18 +158,22 @@ Table clearance_histories_table(const Results& results) {
            {{"shear_along", "", "Base shear along"}, {"shear_across", "", "Base shear across"}});
   }
   append(table.columns, {{"uplift", "", "Uplift", ColumnKind::count}});
+  std::vector<HistoryValues<double> HistoryFields::*> fields{
+      &HistoryFields::peak_along_m, &HistoryFields::peak_across_m, &HistoryFields::residual_along_m,
+      &HistoryFields::residual_across_m};
+  if (shear)
+    fields.insert(fields.end(), {&HistoryFields::shear_along, &HistoryFields::shear_across});
   for (std::size_t record = 0; record < results.records.size(); ++record) {
-    for (std::size_t o = 0; o < table_of.orientations.size(); ++o) {
-      if (table_of.same_as[o] != o) continue;
-      for (std::size_t i = 0; i < table_of.grid.count(); ++i) {
-        const ConditionHistory& h = table_of.at(record, o, i);
+    for (std::size_t o = 0; o < same.size(); ++o) {
+      if (same[o] != o) continue;
+      for (const Condition& at : places) {
+        const ConditionHistory h = grid.history(record, o, at);
         std::vector<Cell> row{results.records[record].id,
-                              orientation_text(results, table_of.orientations[o])};
-        append(row, conditions.cells(results.records[record].suite, table_of.grid.position(i)));
-        append(row, {h.displacement_m, h.peak_m, h.peak_along_m, h.peak_across_m,
-                     h.residual_along_m, h.residual_across_m});
-        if (shear) append(row, {h.shear_along, h.shear_across});
-        append(row, {static_cast<double>(h.uplift)});
+                              orientation_text(results, orientation_at(results, o))};
+        append(row, conditions.cells(results.records[record].suite, at));
+        append(row, {h.displacement_m(), h.peak_m()});
+        for (const auto field : fields) row.emplace_back(h.mean(field));
+        append(row, {h.lifts_off() ? 1.0 : 0.0});
         table.add(std::move(row));
       }
     }

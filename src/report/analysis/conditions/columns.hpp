@@ -18,14 +18,14 @@ class ConditionColumns {
   std::vector<Cell> cells(std::size_t suite, const Condition& at) const;
 
  private:
-  const Results& results_;
+  ConditionGrid grid_;
   std::vector<ConditionAxis> axes_;
 };
 
 /// The column of an axis.
 Column condition_column_of(const Results& results, ConditionAxis axis);
 /// What stands in it at a place.
-Cell condition_cell(const Results& results, ConditionAxis axis, std::size_t place);
+Cell condition_cell(const ConditionGrid& grid, ConditionAxis axis, std::size_t place);
 /// The rows of a table at a condition but for its place on an axis.
 Where rows_at(const Results& results, const Table& table, const Condition& at, ConditionAxis but);
 

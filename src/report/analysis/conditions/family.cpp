@@ -31,7 +31,7 @@ View medians_over(const Results& results, ConditionAxis x, const Table& table,
         results.suites.front().of_roof ? in_words_of_roof(name(at)) : name(at);
     view.lines.push_back({label, family_look(view.lines.size(), members.size()), as_line_and_points,
                           "median", rows_at(results, table, at, x)});
-    if (results.conditions->orientations.size() < 2) continue;
+    if (results.cases.orientations < 2) continue;
     view.lines.back().low = "lowest";
     view.lines.back().high = "highest";
   }
@@ -101,7 +101,7 @@ Panel means_panel(const Results& results, const std::vector<View>& views,
 std::string below_text(const Results& results, std::vector<ConditionAxis> shown) {
   shown.insert(shown.end(), {ConditionAxis::period, ConditionAxis::support});
   return results.suites.front().name + "; " +
-         conditions_text(results, shown_condition(results.conditions->grid), shown);
+         conditions_text(results, shown_condition(ConditionGrid(results)), shown);
 }
 
 std::string what_is_averaged(const Results& results) {

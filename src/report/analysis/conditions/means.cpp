@@ -52,7 +52,10 @@ std::vector<Column> place_columns(const MeansByCondition& of) {
 
 std::vector<Cell> place_cells(const MeansByCondition& of, std::size_t i) {
   std::vector<Cell> cells = of.conditions.cells(of.means[i].suite, of.places[i % of.places.size()]);
-  if (of.period != nullptr) cells.emplace_back(of.means[i].period_s);
+  if (of.period != nullptr) {
+    constexpr ConditionAxis period = ConditionAxis::period;
+    cells.emplace_back(ConditionGrid(of.results).value(period, of.means[i].at[period]));
+  }
   return cells;
 }
 

@@ -14,23 +14,22 @@
 namespace glissade {
 namespace {
 
-std::string level_text(const ConditionGrid& grid, double level) {
-  const std::string name = earthquake_name(level, grid.dbe_level);
-  if (!grid.level_symbol.empty()) {
-    return fmt::format("{}{} = {}{}", name.empty() ? "" : name + ", ", grid.level_symbol,
-                       format_number(level), grid.level_unit == "-" ? "" : " " + grid.level_unit);
-  }
-  return name.empty() ? fmt::format("{:.3g} MCE", level) : name;
+std::string level_text(const Results& results, double level) {
+  const std::string name = level_name(results, level);
+  if (results.measure == IntensityMeasure::mce_fraction)
+    return name.empty() ? fmt::format("{:.3g} MCE", level) : name;
+  return fmt::format("{}{} = {}", name.empty() ? "" : name + ", ", results.intensity_symbol,
+                     with_unit(results, format_number(level)));
 }
 
 std::string value_text(double value) {
   return std::isnan(value) ? "drawn" : fmt::format("{:g}", value);
 }
 
-std::string vertical_text(const VerticalCondition& condition) {
-  if (condition.use == VerticalChoice::none) return "no vertical motion";
-  if (condition.period_s == 0.0) return "vertical motion of the ground";
-  return fmt::format("vertical motion, roof period {:g} s", condition.period_s);
+std::string vertical_text(const Case& c) {
+  if (c.vertical == VerticalChoice::none) return "no vertical motion";
+  if (c.vertical_period_s == 0.0) return "vertical motion of the ground";
+  return fmt::format("vertical motion, roof period {:g} s", c.vertical_period_s);
 }
 
 std::string support_text(ArraySupport support) {
@@ -74,27 +73,31 @@ std::string slope_text(double slope_deg) {
   return slope_name(slope_deg) + (has_both ? fmt::format(" ({:.3g} deg)", slope_deg) : "");
 }
 
+std::string level_name(const Results& results, double level) {
+  return earthquake_name(level, results.measure == IntensityMeasure::mce_fraction
+                                    ? 1.0 / mce_over_dbe
+                                    : results.model.dbe_level);
+}
+
 std::string label_of(const ConditionGrid& grid, ConditionAxis axis, std::size_t place) {
+  const auto value = [&] { return grid.value(axis, place); };
   switch (axis) {
     case ConditionAxis::listed:
-      return grid.listed[place];
+      return grid.listed_text(place);
     case ConditionAxis::support:
-      return support_text(grid.support[place]);
+      return support_text(grid.case_at(Condition().with(axis, place)).support);
     case ConditionAxis::vertical:
-      return vertical_text(grid.vertical[place]);
+      return vertical_text(grid.case_at(Condition().with(axis, place)));
     case ConditionAxis::response_modification:
-      return grid.response_modification[place] == 0.0
-                 ? "elastic building"
-                 : "R " + value_text(grid.response_modification[place]);
+      return value() == 0.0 ? "elastic building" : "R " + value_text(value());
     case ConditionAxis::mass:
-      return "m/M " + value_text(grid.mass_ratio[place]);
+      return "m/M " + value_text(value());
     case ConditionAxis::slope:
-      return "slope " + slope_text(grid.slope_deg[place]);
+      return "slope " + slope_text(value());
     case ConditionAxis::level:
-      return level_text(grid, grid.level[place]);
+      return level_text(grid.results(), value());
     case ConditionAxis::period:
-      return std::isnan(grid.period_s[place]) ? "T drawn"
-                                              : fmt::format("T {:g} s", grid.period_s[place]);
+      return std::isnan(value()) ? "T drawn" : fmt::format("T {:g} s", value());
   }
   return {};
 }
@@ -106,15 +109,18 @@ std::string label_of(const ConditionGrid& grid, ConditionAxis axis, const Condit
 namespace {
 
 std::string joined(const ConditionGrid& grid, const Condition& at,
-                   const std::vector<ConditionAxis>& without, std::size_t least) {
+                   const std::vector<ConditionAxis>& without, std::size_t least,
+                   const std::string& listed_without = "") {
   std::string text;
   for (const ConditionAxis axis :
        {ConditionAxis::level, ConditionAxis::slope, ConditionAxis::mass,
         ConditionAxis::response_modification, ConditionAxis::vertical, ConditionAxis::support,
         ConditionAxis::period, ConditionAxis::listed}) {
-    if (axis == ConditionAxis::listed && !has_several(grid, axis)) continue;
     if (grid.size(axis) < least || std::ranges::find(without, axis) != without.end()) continue;
-    text += (text.empty() ? "" : ", ") + label_of(grid, axis, at);
+    const std::string label = axis == ConditionAxis::listed
+                                  ? grid.listed_text(at[axis], listed_without)
+                                  : label_of(grid, axis, at);
+    if (!label.empty()) text += (text.empty() ? "" : ", ") + label;
   }
   return text;
 }
@@ -127,26 +133,27 @@ std::string distinguished(const ConditionGrid& grid, const Condition& at,
 }
 
 std::string friction_text(const Results& results, const Condition& at) {
-  const std::size_t first = 2 * at[ConditionAxis::listed];
-  const double e_w = results.conditions->friction[first],
-               n_s = results.conditions->friction[first + 1];
+  const Case& c = ConditionGrid(results).case_at(at);
+  const double e_w = c.friction_on(SlopeAxis::e_w), n_s = c.friction_on(SlopeAxis::n_s);
   if (e_w == n_s) return fmt::format("{:.3g}", e_w);
   return fmt::format("E-W {:.3g}, N-S {:.3g}", e_w, n_s);
 }
 
+bool has_two_frictions(const Results& results) {
+  const Case& c = ConditionGrid(results).case_at({});
+  return c.friction != c.friction_across;
+}
+
 std::string conditions_text(const Results& results, const Condition& at,
                             const std::vector<ConditionAxis>& without) {
+  const ConditionGrid grid(results);
   std::vector<ConditionAxis> left_out = without;
-  if (!has_several(results.conditions->grid, ConditionAxis::support))
-    left_out.push_back(ConditionAxis::support);
+  if (!grid.has_several(ConditionAxis::support)) left_out.push_back(ConditionAxis::support);
   if (results.suites.front().of_roof)  // the building is in the motions
     left_out.insert(left_out.end(), {ConditionAxis::period, ConditionAxis::mass,
                                      ConditionAxis::response_modification});
-  ConditionGrid grid = results.conditions->grid;
-  grid.listed = grid.listed_but_friction;  // it follows
-  if (grid.listed[at[ConditionAxis::listed]].empty()) left_out.push_back(ConditionAxis::listed);
   const std::string text =
-      joined(grid, at, left_out, 1) + ", friction " + friction_text(results, at);
+      joined(grid, at, left_out, 1, "friction.mu") + ", friction " + friction_text(results, at);
   return results.suites.front().of_roof ? in_words_of_roof(text) : text;
 }
 
@@ -157,11 +164,11 @@ std::string clearance_text(double clearance_m) {
 }
 
 Condition shown_condition(const ConditionGrid& grid) {
-  std::size_t level = grid.level.size() - 1;
-  const auto design = std::ranges::find_if(
-      grid.level, [&](double one) { return earthquake_name(one, grid.dbe_level) == "DBE"; });
-  if (design != grid.level.end()) level = static_cast<std::size_t>(design - grid.level.begin());
-  return Condition().with(ConditionAxis::level, level);
+  const std::vector<Condition> levels = along(grid, ConditionAxis::level);
+  const auto design = std::ranges::find_if(levels, [&](const Condition& at) {
+    return level_name(grid.results(), grid.value(ConditionAxis::level, at)) == "DBE";
+  });
+  return design == levels.end() ? levels.back() : *design;
 }
 
 Places shown_along(const ConditionGrid& grid, ConditionAxis axis) {
@@ -169,15 +176,15 @@ Places shown_along(const ConditionGrid& grid, ConditionAxis axis) {
 }
 
 Condition with_reference_strength(const ConditionGrid& grid, Condition at) {
-  const std::vector<double>& r = grid.response_modification;
-  const auto place = std::ranges::find(r, 1.0);
-  return at.with(ConditionAxis::response_modification,
-                 place == r.end() ? 0 : static_cast<std::size_t>(place - r.begin()));
+  constexpr ConditionAxis axis = ConditionAxis::response_modification;
+  for (const Condition& place : along(grid, axis, at))
+    if (grid.value(axis, place) == 1.0) return place;
+  return at.with(axis, 0);
 }
 
 std::string reference_strength_text(const ConditionGrid& grid) {
   const Condition reference = with_reference_strength(grid, shown_condition(grid));
-  const double r = grid.response_modification[reference[ConditionAxis::response_modification]];
+  const double r = grid.value(ConditionAxis::response_modification, reference);
   return r == 0.0 ? "the elastic building" : "the building of R = " + value_text(r);
 }
 
@@ -185,27 +192,25 @@ std::string orientation_text(const Results& results, const Orientation& orientat
   return to_string(orientation, slides_on_two_axes(results));
 }
 
-bool has_several(const ConditionGrid& grid, ConditionAxis axis) { return grid.size(axis) > 1; }
-
 std::optional<std::size_t> place_of(const ConditionGrid& grid, ArraySupport support) {
-  const auto found = std::ranges::find(grid.support, support);
-  if (found == grid.support.end()) return std::nullopt;
-  return static_cast<std::size_t>(found - grid.support.begin());
+  for (const Condition& at : along(grid, ConditionAxis::support))
+    if (grid.case_at(at).support == support) return at[ConditionAxis::support];
+  return std::nullopt;
 }
 
 std::string orientations_text(const Results& results) {
-  const std::size_t n = results.conditions->orientations.size();
+  const std::size_t n = results.cases.orientations;
   return n == 1 ? "" : number_in_words(n) + " orientations";
 }
 
 std::string rule_text(const Results& results) {
-  if (results.conditions->orientations.size() < 2) return "";
+  if (results.cases.orientations < 2) return "";
   return fmt::format(", {} of the orientations", to_string(results.clearance->orientation));
 }
 
 std::string range_text(const Results& results, const OrientationRange& range) {
   std::string text = format_length(range.median);
-  if (results.conditions->orientations.size() < 2) return text;
+  if (results.cases.orientations < 2) return text;
   const std::string lowest = format_length(range.lowest), highest = format_length(range.highest);
   return lowest == highest ? text + ", in all " + orientations_text(results)
                            : text + fmt::format(", from {} to {} over the {}", lowest, highest,

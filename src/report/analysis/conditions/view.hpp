@@ -12,6 +12,8 @@ namespace glissade {
 
 using Places = std::vector<Condition>;
 
+/// "DBE", "MCE"; "" of other levels.
+std::string level_name(const Results& results, double level);
 /// "T 0.2 s", "m/M 0.05", "R 2", "slope 1/4:12", "DBE", "no vertical motion", "anchored array"
 std::string label_of(const ConditionGrid& grid, ConditionAxis axis, std::size_t place);
 std::string label_of(const ConditionGrid& grid, ConditionAxis axis, const Condition& at);
@@ -27,6 +29,9 @@ std::string conditions_text(const Results& results, const Condition& at,
                             const std::vector<ConditionAxis>& without = {});
 /// "0.47", "E-W 0.47, N-S 0.52"
 std::string friction_text(const Results& results, const Condition& at = {});
+
+/// Along the array's two axes.
+bool has_two_frictions(const Results& results);
 
 /// "0.280 m (11.0 in)"; where the array slides freely, that no clearance is enough.
 std::string clearance_text(double clearance_m);
@@ -45,7 +50,6 @@ Condition with_reference_strength(const ConditionGrid& grid, Condition at);
 /// "the building of R = 1", "the elastic building"
 std::string reference_strength_text(const ConditionGrid& grid);
 
-bool has_several(const ConditionGrid& grid, ConditionAxis axis);
 /// Where a kind of support stands on its axis, if it is there.
 std::optional<std::size_t> place_of(const ConditionGrid& grid, ArraySupport support);
 /// "sixteen orientations", "both orientations", "32 orientations"; of one: "".

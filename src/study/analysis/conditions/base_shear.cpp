@@ -5,9 +5,8 @@
 
 namespace glissade {
 
-BaseShearResults BaseShearAnalysis::find(const StudyConfig&, Results& results) {
-  need_conditions(results);
-  return {suite_means(results, HistoryNumber::base_shear, all_conditions(results.conditions->grid),
+BaseShearResults BaseShearAnalysis::find(const StudyConfig&, const Results& results) {
+  return {suite_means(results, HistoryNumber::base_shear, all_conditions(ConditionGrid(results)),
                       Periods::one, OrientationRule::median)};
 }
 

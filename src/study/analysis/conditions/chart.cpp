@@ -26,12 +26,6 @@ std::vector<double> chart_axis(const Quantity& quantity) {
 /// of a record is taken.
 using PointCases = std::vector<std::vector<std::vector<std::size_t>>>;
 
-double slip_m(const Results& results, std::size_t record, std::size_t i, std::size_t level) {
-  const Case& c = results.cases.cases[i];
-  if (slides_freely(c)) return infinity;
-  return results.histories.displacement_m(record, i, level);
-}
-
 /// By record, then sample: the largest of the orientations.
 std::vector<std::vector<double>> slips_of(const Results& results,
                                           const std::vector<std::vector<std::size_t>>& cases,
@@ -41,7 +35,7 @@ std::vector<std::vector<double>> slips_of(const Results& results,
     for (const std::vector<std::size_t>& of_sample : cases) {
       double largest = 0.0;
       for (const std::size_t i : of_sample)
-        largest = std::max(largest, slip_m(results, record, i, level));
+        largest = std::max(largest, displacement_m(results, record, i, level));
       slips[record].push_back(largest);
     }
   }
@@ -156,16 +150,13 @@ std::map<std::array<double, 3>, std::vector<std::vector<std::size_t>>> cases_of_
     const Quantity& quantity = quantities.at(table, key);
     return quantity.is_drawn() ? stated_mean(*quantity.drawn) : of_case;
   };
-  const bool across_lies_along = std::ranges::find(config.orientation.slope_axis, SlopeAxis::n_s) !=
-                                 config.orientation.slope_axis.end();
   std::map<std::array<double, 3>, std::vector<std::vector<std::size_t>>> points;
   const CaseSet& set = results.cases;
   for (std::size_t i = 0; i < set.size(); ++i) {
     const Case& c = set.cases[i];
     if (c.friction_value == FrictionValue::design || c.support != ArraySupport::isolated) continue;
-    const bool swapped = across_lies_along && c.orientation.slope_axis == SlopeAxis::n_s;
     auto& of_samples = points[{std::abs(value("roof", "slope_deg", c.slope_deg)),
-                               value("friction", "mu", swapped ? c.friction_across : c.friction),
+                               value("friction", "mu", c.friction_on(SlopeAxis::e_w)),
                                value("building", "period_s", c.period_s)}];
     of_samples.resize(set.samples);
     of_samples[i / set.orientations % set.samples].push_back(i);

@@ -8,7 +8,7 @@ namespace glissade {
 ClearanceResults required_clearance(const Results& results, const ClearanceConfig& config) {
   const auto means = [&](Periods periods) {
     return suite_means(results, HistoryNumber::displacement,
-                       sliding_conditions(results.conditions->grid, periods), periods,
+                       sliding_conditions(ConditionGrid(results), periods), periods,
                        config.orientation);
   };
   ClearanceResults clearance{.factor = config.factor,
@@ -23,8 +23,7 @@ ClearanceResults required_clearance(const Results& results, const ClearanceConfi
   return clearance;
 }
 
-ClearanceResults ClearanceAnalysis::find(const StudyConfig& study, Results& results) {
-  need_conditions(results);
+ClearanceResults ClearanceAnalysis::find(const StudyConfig& study, const Results& results) {
   return required_clearance(results, *study.clearance);
 }
 

@@ -35,16 +35,15 @@ class Values {
   Values(const Results& results, const MeanQuestion& question, const Condition& at, Periods periods)
       : records_(records_of(results, question.suite)),
         orientations_(orientations_of(results, question)) {
+    const ConditionGrid grid(results);
     const std::vector<Condition> places =
-        periods == Periods::one ? std::vector{at}
-                                : along(results.conditions->grid, ConditionAxis::period, at);
+        periods == Periods::one ? std::vector{at} : along(grid, ConditionAxis::period, at);
     values_ = {places.size(), orientations_.size(), records_.size()};
     for (std::size_t p = 0; p < places.size(); ++p) {
-      const std::size_t condition = results.conditions->grid.index(places[p]);
       for (std::size_t o = 0; o < orientations_.size(); ++o) {
         for (std::size_t r = 0; r < records_.size(); ++r) {
-          values_(p, o, r) = number_of(
-              question.number, results.conditions->at(records_[r], orientations_[o], condition));
+          values_(p, o, r) =
+              number_of(question.number, grid.history(records_[r], orientations_[o], places[p]));
         }
       }
     }
@@ -112,11 +111,11 @@ const char* to_string(OrientationRule rule) {
 double number_of(HistoryNumber number, const ConditionHistory& history) {
   switch (number) {
     case HistoryNumber::displacement:
-      return history.displacement_m;
+      return history.displacement_m();
     case HistoryNumber::vector_peak:
-      return history.peak_m;
+      return history.peak_m();
     case HistoryNumber::base_shear:
-      return base_shear(history);
+      return history.base_shear();
   }
   return nan;
 }
@@ -131,9 +130,8 @@ std::vector<std::size_t> records_of(const Results& results, std::size_t suite) {
 
 std::vector<std::size_t> orientations_of(const Results& results, const MeanQuestion& question) {
   std::vector<std::size_t> found;
-  for (std::size_t i = 0; i < results.conditions->orientations.size(); ++i) {
-    if (!question.slope_axis ||
-        results.conditions->orientations[i].slope_axis == *question.slope_axis)
+  for (std::size_t i = 0; i < results.cases.orientations; ++i) {
+    if (!question.slope_axis || orientation_at(results, i).slope_axis == *question.slope_axis)
       found.push_back(i);
   }
   return found;
@@ -142,11 +140,10 @@ std::vector<std::size_t> orientations_of(const Results& results, const MeanQuest
 double suite_mean(const Results& results, const MeanQuestion& question, std::size_t orientation,
                   const Condition& at) {
   const std::vector<std::size_t> records = records_of(results, question.suite);
+  const ConditionGrid grid(results);
   double sum = 0.0;
-  for (const std::size_t record : records) {
-    sum += number_of(question.number, results.conditions->at(record, orientation,
-                                                             results.conditions->grid.index(at)));
-  }
+  for (const std::size_t record : records)
+    sum += number_of(question.number, grid.history(record, orientation, at));
   return sum / static_cast<double>(records.size());
 }
 
@@ -181,13 +178,11 @@ std::size_t governing_period(const Results& results, const MeanQuestion& questio
                              const Condition& at, OrientationRule rule) {
   std::size_t governing = 0;
   double largest = -1.0;
-  for (std::size_t p = 0; p < results.conditions->grid.period_s.size(); ++p) {
-    const double mean = mean_by(
-        rule,
-        means_by_orientation(results, question, at.with(ConditionAxis::period, p), Periods::one));
+  for (const Condition& place : along(ConditionGrid(results), ConditionAxis::period, at)) {
+    const double mean = mean_by(rule, means_by_orientation(results, question, place, Periods::one));
     if (mean > largest) {
       largest = mean;
-      governing = p;
+      governing = place[ConditionAxis::period];
     }
   }
   return governing;
@@ -206,7 +201,6 @@ PerRecordBounds per_record_bounds(const Results& results, const MeanQuestion& qu
 std::vector<SuiteMean> suite_means(const Results& results, HistoryNumber number,
                                    const std::vector<Condition>& places, Periods periods,
                                    OrientationRule rule) {
-  const ConditionTable& conditions = *results.conditions;
   std::vector<SuiteMean> means;
   for (std::size_t suite = 0; suite < results.suites.size(); ++suite) {
     const MeanQuestion question{.suite = suite, .number = number};
@@ -215,12 +209,8 @@ std::vector<SuiteMean> suite_means(const Results& results, HistoryNumber number,
           periods == Periods::one
               ? place
               : place.with(ConditionAxis::period, governing_period(results, question, place, rule));
-      const std::uint64_t first = conditions.first_case[conditions.grid.index(at)];
       means.push_back({.suite = suite,
-                       .first_case = first,
-                       .condition = results.cases.describe(first / results.cases.per_combination()),
-                       .level = conditions.grid.level[at[ConditionAxis::level]],
-                       .period_s = conditions.grid.period_s[at[ConditionAxis::period]],
+                       .at = at,
                        .range = over_orientations(results, question, place, periods),
                        .bounds = per_record_bounds(results, question, place, periods),
                        .largest = Values(results, question, place, periods).largest(),
@@ -234,7 +224,7 @@ std::vector<Condition> sliding_conditions(const ConditionGrid& grid, Periods per
   std::vector<Condition> places =
       periods == Periods::one ? all_conditions(grid) : all_but(grid, ConditionAxis::period);
   std::erase_if(places, [&](const Condition& at) {
-    return grid.support[at[ConditionAxis::support]] != ArraySupport::isolated;
+    return grid.case_at(at).support != ArraySupport::isolated;
   });
   return places;
 }
@@ -249,7 +239,7 @@ std::vector<double> per_record_means(const Results& results, const MeanQuestion&
   for (const SlopeAxis axis : {SlopeAxis::e_w, SlopeAxis::n_s}) {
     std::vector<std::size_t> of_axis;
     for (std::size_t o = 0; o < run.size(); ++o) {
-      if (results.conditions->orientations[run[o]].slope_axis == axis) of_axis.push_back(o);
+      if (orientation_at(results, run[o]).slope_axis == axis) of_axis.push_back(o);
     }
     if (!of_axis.empty()) choices.push_back(std::move(of_axis));
   }
@@ -284,8 +274,7 @@ StrongerAlong stronger_along(const Results& results, const MeanQuestion& questio
       const double azimuth =
           turned_deg + (results.records[values.records()[r]].stronger == 1 ? 90.0 : 0.0);
       for (std::size_t o = 0; o < values.orientations().size(); ++o) {
-        if (results.conditions->orientations[values.orientations()[o]].ground_azimuth_deg ==
-            azimuth)
+        if (orientation_at(results, values.orientations()[o]).ground_azimuth_deg == azimuth)
           return o;
       }
       found = false;
@@ -297,13 +286,15 @@ StrongerAlong stronger_along(const Results& results, const MeanQuestion& questio
 }
 
 double uplift_share(const Results& results) {
+  const ConditionGrid grid(results);
   std::size_t isolated = 0, uplift = 0;
-  for (std::size_t i = 0; i < results.conditions->histories.size(); ++i) {
-    const Condition at = results.conditions->grid.position(i % results.conditions->grid.count());
-    if (results.conditions->grid.support[at[ConditionAxis::support]] != ArraySupport::isolated)
-      continue;
-    ++isolated;
-    uplift += results.conditions->histories[i].uplift;
+  for (const Condition& at : sliding_conditions(grid, Periods::one)) {
+    for (std::size_t record = 0; record < results.records.size(); ++record) {
+      for (std::size_t o = 0; o < results.cases.orientations; ++o) {
+        ++isolated;
+        uplift += grid.history(record, o, at).lifts_off();
+      }
+    }
   }
   return isolated == 0 ? 0.0 : static_cast<double>(uplift) / static_cast<double>(isolated);
 }

@@ -115,7 +115,7 @@ DesignFrictionRow row_of(const Results& results, const FrictionPair& pair, std::
   const std::vector<double> once(records, 1.0);
   DesignFrictionRow row{
       .first_case = pair.drawn,
-      .condition = results.cases.describe(pair.drawn / pair.count, "friction.value"),
+      .condition = results.cases.describe(pair.drawn / pair.count, {"friction.value"}),
       .level = results.levels[level],
       .same_motion = {at.same_motion(once), {}},
       .design_mean_m = at.design_mean_m(once),

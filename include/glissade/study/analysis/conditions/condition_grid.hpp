@@ -3,27 +3,23 @@
 
 #include <array>
 #include <cstddef>
-#include <cstdint>
 #include <string>
 #include <vector>
 
-#include "glissade/study/cases/case.hpp"
+#include "glissade/study/cases/case_set.hpp"
+#include "glissade/study/run/history_table.hpp"
 
-// What a study varies, as Walters et al. (2012) present it: one axis for each quantity of theirs,
-// one for all others.
+// The cases and histories of results by condition, as required clearance and base shear are read
+// from them: one axis for each quantity of Walters et al. (2012), one for all others.
 namespace glissade {
 
-struct VerticalCondition {
-  VerticalChoice use = VerticalChoice::if_available;
-  double period_s = 0.0;  ///< 0: the roof goes up and down with the ground
-  bool operator==(const VerticalCondition&) const = default;
-};
+struct Results;
 
 /// The axes of the grid of conditions, the first varying slowest.
 enum class ConditionAxis {
   listed,  ///< every other quantity of which the study lists several values, together
   support,
-  vertical,
+  vertical,  ///< whether it acts, and where it does the roof's vertical period
   response_modification,
   mass,
   slope,
@@ -36,6 +32,8 @@ inline constexpr std::array<ConditionAxis, condition_axis_count> condition_axes 
     ConditionAxis::vertical, ConditionAxis::response_modification,
     ConditionAxis::mass,     ConditionAxis::slope,
     ConditionAxis::level,    ConditionAxis::period};
+/// The quantity of an axis; null of choices, levels and several quantities together.
+const Parameter* parameter_of(ConditionAxis axis);
 
 /// A place on every axis.
 class Condition {
@@ -49,35 +47,63 @@ class Condition {
   std::array<std::size_t, condition_axis_count> at_{};
 };
 
-/// Every combination of these is run. NaN: drawn, and not listed.
-struct ConditionGrid {
-  std::vector<std::string> listed = {""};  ///< "friction.mu = 0.4, building.damping = 0.02"
-  std::vector<std::string> listed_but_friction = {""};  ///< where the friction is stated beside
-  std::vector<ArraySupport> support = {ArraySupport::isolated};
-  std::vector<VerticalCondition> vertical = {{}};
-  /// R: the building yields at its elastic demand under the design spectrum over R; 0: it stays
-  /// elastic.
-  std::vector<double> response_modification = {0.0};
-  std::vector<double> mass_ratio = {0.05};  ///< m/M, [0, 1]
-  std::vector<double> slope_deg;            ///< [0, 45]
-  std::vector<double> level = {2.0 / 3};
-  std::string level_symbol;  ///< "S_DS"; empty: levels are fractions of the suite scaled to MCE
-  std::string level_unit = "-";
-  double dbe_level = 2.0 / 3;    ///< of `level`; 0: not known
-  std::vector<double> period_s;  ///< of the building, along both axes; 0: rigid
+/// The histories of a record in one orientation at a condition: of a number of theirs the mean over
+/// the samples.
+struct ConditionHistory {
+  const Results& results;
+  std::size_t record, first_case, level;  ///< the case is of the first sample
 
-  std::size_t size(ConditionAxis axis) const;
-  std::size_t count() const;  ///< of all combinations
-  std::size_t index(const Condition& position) const;
-  Condition position(std::size_t index) const;
+  double mean(HistoryValues<double> HistoryFields::*field) const;  ///< NaN where it is not kept
+  double displacement_m() const;  ///< by the study's measure; infinite: it slides freely
+  double peak_m() const;          ///< largest length of the displacement, likewise
+  /// SRSS of the peaks along both axes, as displacements are taken.
+  double base_shear() const;
+  bool lifts_off() const;  ///< of any sample
+};
+
+/// What the cases and levels of results are as a grid; every combination of places is run. Of
+/// friction that is drawn the design value counts (mean - 2 std) where the study has it.
+class ConditionGrid {
+ public:
+  explicit ConditionGrid(const Results& results);
+  explicit ConditionGrid(const Results&& temporary) = delete;
+
+  const Results& results() const { return results_; }
+  std::size_t size(ConditionAxis axis) const { return steps(axis).size(); }
+  bool has_several(ConditionAxis axis) const { return size(axis) > 1; }
+  std::size_t count() const;                ///< of all combinations
+  Condition position(std::size_t i) const;  ///< of these
+  /// The first of its cases, which are in a row.
+  std::size_t first_case(const Condition& at) const;
+  const Case& case_at(const Condition& at) const;
+  /// The level, or the value of the axis's quantity; NaN where that is drawn.
+  double value(ConditionAxis axis, std::size_t place) const;
+  double value(ConditionAxis axis, const Condition& at) const { return value(axis, at[axis]); }
+  /// Of the axis `listed`: "friction 0.4, building damping 0.02", without one key.
+  std::string listed_text(std::size_t place, const std::string& without = "") const;
+  ConditionHistory history(std::size_t record, std::size_t orientation, const Condition& at) const;
+
+ private:
+  using Steps = std::vector<std::size_t>;
+  Steps& steps(ConditionAxis axis) { return steps_[static_cast<std::size_t>(axis)]; }
+  const Steps& steps(ConditionAxis axis) const { return steps_[static_cast<std::size_t>(axis)]; }
+
+  const Results& results_;
+  std::size_t first_ = 0;  ///< combination of the cases at the first place on every axis
+  /// By axis, then place: what it adds to the number of that combination.
+  std::array<Steps, condition_axis_count> steps_;
 };
 
 /// Every place along one axis, the others where `position` has them.
 std::vector<Condition> along(const ConditionGrid& grid, ConditionAxis axis,
                              const Condition& position = {});
-/// Every place, as index() numbers them.
 std::vector<Condition> all_conditions(const ConditionGrid& grid);
 /// Every place on all axes but one, which stays at its first.
 std::vector<Condition> all_but(const ConditionGrid& grid, ConditionAxis axis);
+
+/// One of the orientations of the records.
+const Orientation& orientation_at(const Results& results, std::size_t i);
+/// By orientation: the first whose histories are the same.
+std::vector<CaseNumber> same_orientations(const Results& results);
 
 }  // namespace glissade

@@ -2,17 +2,14 @@
 #pragma once
 
 #include <cstddef>
-#include <cstdint>
 #include <optional>
-#include <string>
 #include <vector>
 
 #include "glissade/fragility/bootstrap.hpp"
-#include "glissade/study/analysis/conditions/condition_table.hpp"
+#include "glissade/study/analysis/conditions/condition_grid.hpp"
 
 // What is read from the histories by condition: means over a suite, what is largest over the
-// building periods, and what the orientations make of it. Records are the independent unit. All
-// expect results with conditions.
+// building periods, and what the orientations make of it. Records are the independent unit.
 namespace glissade {
 
 /// Which of the orientations of the records a required clearance is of: the largest, or the median,
@@ -85,10 +82,8 @@ PerRecordBounds per_record_bounds(const Results& results, const MeanQuestion& qu
 /// All of that at one condition, or of the largest over the periods, as tables and the results file
 /// give it.
 struct SuiteMean {
-  std::uint64_t suite = 0;
-  std::uint64_t first_case = 0;  ///< of the condition, or of that at the governing period
-  std::string condition;         ///< what the study lists of it; empty where it lists nothing
-  double level = 0.0, period_s = 0.0;
+  std::size_t suite = 0;
+  Condition at;  ///< the condition, or that at the governing period
   OrientationRange range;
   PerRecordBounds bounds;
   double largest = 0.0;                ///< of all records and orientations
