@@ -109,6 +109,7 @@ TEST_F(Sites, each_have_a_package_of_their_own_and_a_row_of_the_summary) {
   }
   EXPECT_EQ(sites[0].at("s1_g"), nullptr);
   EXPECT_EQ(sites[1].at("s1_g"), 0.5);
+  EXPECT_GT(sites[0].at("sd1_g"), 0.0);
   EXPECT_EQ(sites[0].at("verdict"), "open");  // simulated motions
   EXPECT_EQ(sites[1].at("verdict"), "not sufficient");
   EXPECT_THAT(one_line(finished_.out),

@@ -82,7 +82,7 @@ TEST(Standards, list_conditions_with_limit_clause_mark_and_what_is_found) {
   }
   EXPECT_EQ(known, 4u);
   EXPECT_THAT(json["asce7_16"]["not_met"].get<std::string>(),
-              states("storeys of 6 or fewer: 7", "0.133 S_DS"));
+              states("storeys: 7, required 6 or fewer", "0.133 S_DS"));
 }
 
 TEST(Standards, name_the_pull_tests_and_the_roof_motions_of_seaoc_pv1) {

@@ -17,7 +17,8 @@ namespace glissade {
 struct SiteSheet {
   std::string name, folder;  ///< folder: of its package, below that of the summary
   double sds_g = 0.0, sd1_g = 0.0;
-  double friction = 0.0;  ///< mean - 2 std
+  std::optional<double> s1_g;  ///< where it is stated
+  double friction = 0.0;       ///< mean - 2 std
   double governing_m = 0.0, largest_required_m = 0.0;
   bool is_simulated = false;  ///< its motions
   std::string verdict;  ///< "sufficient", "not sufficient", "open", "not applicable", "not stated"

@@ -189,14 +189,16 @@ void write_finished_sites(const CalculationIdentity& identity, const SiteSheets&
                           const fs::path& folder) {
   CalculationJson numbers{{"name", sheets.name}};
   for (const SiteSheet& site : sheets.sites)
-    numbers["sites"].push_back({{"name", site.name},
-                                {"folder", site.folder},
-                                {"sds_g", site.sds_g},
-                                {"sd1_g", site.sd1_g},
-                                {"design_friction", site.friction},
-                                {"governing_m", site.governing_m},
-                                {"largest_required_m", site.largest_required_m},
-                                {"verdict", site.verdict}});
+    numbers["sites"].push_back(
+        {{"name", site.name},
+         {"folder", site.folder},
+         {"sds_g", site.sds_g},
+         {"sd1_g", site.sd1_g},
+         {"s1_g", site.s1_g ? CalculationJson(*site.s1_g) : CalculationJson()},
+         {"design_friction", site.friction},
+         {"governing_m", site.governing_m},
+         {"largest_required_m", site.largest_required_m},
+         {"verdict", site.verdict}});
   write_text_file(folder / "sites.json", json_text(numbers));
   CalculationJson json = head_of_calculation(identity, RunState::finished);
   json["finished_utc"] = now_utc();

@@ -479,6 +479,8 @@ SiteSheet site_sheet(const CalculationPackage& package, const std::string& folde
                   .governing_m = package.design.governing_m,
                   .is_simulated = package.files.empty(),
                   .verdict = short_verdict(package)};
+  const DesignTarget& target = project.site.mapped ? *project.site.mapped : project.site.target;
+  if (target.s1_g > 0.0) sheet.s1_g = target.s1_g;
   for (const ProjectSeparation& s : package.design.separations)
     sheet.largest_required_m = std::max(sheet.largest_required_m, s.required.value_m);
   const ProjectBuilding& building = project.building;
