@@ -200,6 +200,11 @@ TEST(chart_figures, hold_at_most_four_curves_none_of_which_leaves_and_name_suite
     for (const Figure& figure : chart_figures(results)) {
       titles.push_back(figure.title);
       EXPECT_THAT(figure.below, states(results.suites.front().name));
+      EXPECT_THAT(figure.title,
+                  results.records.size() == 1
+                      ? states(results.records.front().id)
+                      : states(figure.name.text() == "chart_period" ? "Mean, 95th"
+                                                                    : "1.1 x the largest mean"));
       if (figure.name.text() == "chart_contours") continue;
       EXPECT_LE(curves_of(figure).size(), 4u) << figure.name.text();
       EXPECT_TRUE(figure.labels_at_lines);

@@ -202,13 +202,14 @@ GridValues slip_grid(const Results& results, std::size_t level) {
   return grid;
 }
 
-/// "buildings of one mass, T 0.2 to 2 s".
+/// "largest over buildings of one mass, T 0.2 to 2 s".
 std::string building_text(const Results& results) {
   const auto [low, high] = std::ranges::minmax(results.chart->period_s);
   if (high == 0.0) return "rigid building";
   const char* model = results.model.modes.empty() ? "one mass" : "several modes";
-  return low == high ? fmt::format("building of {}, T {:g} s", model, low)
-                     : fmt::format("buildings of {}, T {:g} to {:g} s", model, low, high);
+  return low == high
+             ? fmt::format("building of {}, T {:g} s", model, low)
+             : fmt::format("largest over buildings of {}, T {:g} to {:g} s", model, low, high);
 }
 
 /// The region where friction cannot hold the array: mu <= tan(slope).
@@ -254,7 +255,7 @@ Figure chart_contours_figure(const Results& results) {
   const std::size_t level = nearest(results.levels, chart.shown_level);
   const bool one_record = is_one_record(results);
   Figure figure{
-      "chart_contours", shown_title(results) + " over friction and roof slope",
+      "chart_contours", shown_title(results) + ", by friction and roof slope",
       at_intensity(results, results.levels[level]) + "; " + results.suites.front().name + "; " +
           building_text(results),
       (one_record ? "Lines of equal peak slip"

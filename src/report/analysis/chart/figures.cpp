@@ -22,10 +22,7 @@ std::string suite_text(const Results& results) { return results.suites.front().n
 std::string friction_text(double mu) { return "friction " + brief(mu); }
 
 std::string y_label(const Results& results) {
-  const std::string name = design_name(results);
-  return name == "chart clearance"
-             ? fmt::format("Chart clearance, {:g} x mean slip in plan", clearance_factor(results))
-             : design_title(results) + " in plan";
+  return (is_one_record(results) ? design_title(results) : shown_title(results)) + " in plan";
 }
 
 std::string caption_of(const Results& results, const std::string& reading) {
@@ -224,8 +221,8 @@ Figure chart_period_figure(const Results& results) {
       prescribed.push_back({line, panel.x.low, panel.x.high});
   }
   return {"chart_period",
-          (one_record ? "Peak slip of one record" : "Mean, 95th percentile and largest slip") +
-              std::string(" over the period of the building"),
+          (one_record ? shown_title(results) : "Mean, 95th percentile and largest slip") +
+              " over the period of the building",
           fmt::format("{}{}; slope {}; {}", suite_text(results), at_intensity(results, point.level),
                       degrees(point.slope_deg), friction_text(point.mu)),
           caption_of(results, one_record

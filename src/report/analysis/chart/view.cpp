@@ -29,7 +29,9 @@ std::string design_name(const Results& results) {
 std::string design_title(const Results& results) { return capitalised(design_name(results)); }
 
 std::string shown_title(const Results& results) {
-  return design_title(results) + (is_one_record(results) ? " of one record" : "");
+  return is_one_record(results)
+             ? "Peak slip under the record " + results.records.front().id
+             : fmt::format("{:g} x the largest mean displacement", clearance_factor(results));
 }
 
 std::string clearance_rule(const Results& results) {

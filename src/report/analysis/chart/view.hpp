@@ -27,7 +27,8 @@ struct ChartStatistic {
 std::string design_name(const Results& results);
 /// The same as the begin of a title.
 std::string design_title(const Results& results);
-/// Of what a figure's lines are: "Chart clearance", "Peak slip of one record".
+/// Of what a figure's lines are: "1.1 x the largest mean displacement", "Peak slip under the record
+/// far_field_1".
 std::string shown_title(const Results& results);
 /// On the mean: that of [clearance], else 1.1 (Walters et al. 2012).
 double clearance_factor(const Results& results);
