@@ -16,6 +16,7 @@ namespace glissade {
 
 struct Colour {
   std::uint32_t rgb = 0;  ///< 0xrrggbb
+  bool operator==(const Colour&) const = default;
 };
 
 /// How a series looks. Figures take it by role, so that a median is the same in each of them.
@@ -25,6 +26,7 @@ struct Look {
   int dash = 1;    ///< of the line; 1: solid
   int symbol = 0;  ///< of points; 0: none
   double symbol_size = 0.7;
+  bool operator==(const Look&) const = default;
 };
 
 enum class Role {
@@ -144,7 +146,7 @@ struct Figure {
   std::string title;               ///< one line: what is shown
   std::string below;               ///< a smaller line: of what
   std::string caption;             ///< what to read from it and how it was made
-  std::vector<Panel> panels = {};  ///< two in a row
+  std::vector<Panel> panels = {};  ///< two in a row, with one key for all of them
   int key_columns = 1;
   bool labels_at_lines = false;  ///< in place of a key
   int plot_height_px = 480;      ///< of a single panel with its axes, of 840 in width: two a page

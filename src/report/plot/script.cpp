@@ -25,12 +25,6 @@ Axis drawable(Axis axis) {
   return axis;
 }
 
-int key_entries(const Panel& panel) {
-  const auto labelled = [](const auto& part) { return !part.label.empty(); };
-  return static_cast<int>(std::ranges::count_if(panel.series, labelled) +
-                          std::ranges::count_if(panel.rules, labelled));
-}
-
 /// Labels of ticks are formats of gnuplot, where % has a meaning.
 std::string as_format(const std::string& label) {
   std::string format;
@@ -48,8 +42,9 @@ constexpr std::size_t tick_width = 18, single_tick_width = 30;
 std::vector<std::string> even_lines(std::string text, std::size_t width) {
   constexpr std::string_view no_break_space = "\u00a0", standard = "ASCE 7-";
   for (std::size_t i = 1; i + 1 < text.size(); ++i) {
-    const bool of_number = std::isdigit(static_cast<unsigned char>(text[i - 1])) != 0 &&
-                           std::isalpha(static_cast<unsigned char>(text[i + 1])) != 0;
+    const bool of_number =
+        std::isdigit(static_cast<unsigned char>(text[i - 1])) != 0 &&
+        (text[i + 1] == '%' || std::isalpha(static_cast<unsigned char>(text[i + 1])) != 0);
     const bool of_standard = i >= 4 && text.compare(i - 4, standard.size(), standard) == 0;
     if (text[i] == ' ' && (of_number || of_standard)) text.replace(i, 1, no_break_space);
   }
@@ -155,11 +150,34 @@ void add_style(Script& script, DataSeries::Kind kind, const Look& look, bool key
   }
 }
 
-void add_key_entry(Script& script, DataSeries::Kind kind, const Look& look,
-                   const std::string& label) {
-  script.add(", \\\n  keyentry ");
-  add_style(script, kind, look, true);
-  script.add(" title {}", Quoted(label));
+struct KeyEntry {
+  DataSeries::Kind kind;
+  Look look;
+  std::string label;
+};
+
+/// Of all panels, each entry once.
+std::vector<KeyEntry> key_of(const Figure& figure) {
+  std::vector<KeyEntry> key;
+  const auto add = [&](DataSeries::Kind kind, const Look& look, const std::string& label) {
+    const bool is_in = std::ranges::any_of(
+        key, [&](const KeyEntry& entry) { return entry.label == label && entry.look == look; });
+    if (!label.empty() && !is_in) key.push_back({kind, look, label});
+  };
+  for (const Panel& panel : figure.panels)
+    for (const DataSeries& series : panel.series) add(series.kind, series.look, series.label);
+  for (const Panel& panel : figure.panels)
+    for (const Rule& rule : panel.rules) add(DataSeries::Kind::line, rule.look, rule.label);
+  return key;
+}
+
+void add_key(Script& script, const std::vector<KeyEntry>& key) {
+  for (const KeyEntry& entry : key) {
+    script.add(", \\\n  keyentry ");
+    add_style(script, entry.kind, entry.look, true);
+    script.add(" title {}", Quoted(entry.label));
+  }
+  script.add("\n");
 }
 
 /// All series, lowest first; `index` counts the blocks of the data file.
@@ -190,25 +208,25 @@ void add_plot(Script& script, const FileName& name, const Panel& panel, int& ind
                                    : Word(":2"));
     add_style(script, series.kind, series.look, false);
   }
-  for (const DataSeries& series : panel.series) {
-    if (!series.label.empty()) add_key_entry(script, series.kind, series.look, series.label);
-  }
-  for (const Rule& rule : panel.rules) {
-    if (!rule.label.empty()) add_key_entry(script, DataSeries::Kind::line, rule.look, rule.label);
-  }
-  script.add("\n");
 }
 
-int panel_columns(const Figure& figure) { return figure.panels.size() > 1 ? 2 : 1; }
-int panel_rows(const Figure& figure) {
-  return (static_cast<int>(figure.panels.size()) + 1) / panel_columns(figure);
+bool has_several(const Figure& figure) { return figure.panels.size() > 1; }
+/// The key stands in the place of the panel that would fill the last row.
+bool has_free_place(const Figure& figure) {
+  return has_several(figure) && figure.panels.size() % 2 == 1;
 }
 
-/// Of the panel with most.
-int key_rows(const Figure& figure) {
-  int entries = 0;
-  for (const Panel& panel : figure.panels) entries = std::max(entries, key_entries(panel));
-  return (entries + figure.key_columns - 1) / figure.key_columns;
+int key_columns(const Figure& figure, const std::vector<KeyEntry>& key) {
+  if (!has_several(figure)) return figure.key_columns;
+  constexpr std::size_t characters = 56;  // besides samples of lines
+  std::size_t widest = 1;
+  for (const KeyEntry& entry : key) widest = std::max(widest, display_width(entry.label));
+  return has_free_place(figure) || 2 * widest > characters ? 1 : 2;
+}
+
+int key_rows(const Figure& figure, const std::vector<KeyEntry>& key) {
+  const int columns = key_columns(figure, key);
+  return (static_cast<int>(key.size()) + columns - 1) / columns;
 }
 
 int title_lines(const Figure& figure) {
@@ -228,28 +246,73 @@ int more_heading_px(const Figure& figure) {
 
 /// Characters of a label of the y axis, as long as that is high.
 std::size_t label_width(const Figure& figure) {
-  return figure.panels.size() > 1 ? 34 : static_cast<std::size_t>(figure.plot_height_px) / 14;
+  return has_several(figure) ? 34 : static_cast<std::size_t>(figure.plot_height_px) / 14;
+}
+
+/// Heights of a figure and its parts.
+struct Heights {
+  int heading_px, panel_px, key_px, all_px;
+};
+
+Heights heights_of(const Figure& figure) {
+  // Of the 30 px of an entry below a single panel 6 are taken from the panel.
+  constexpr int title_px = 40, line_px = 30;
+  const int key_px = line_px * key_rows(figure, key_of(figure));
+  Heights heights{more_heading_px(figure), figure.plot_height_px, key_px * 4 / 5, 0};
+  int rows = 1;
+  if (has_several(figure)) {
+    heights.heading_px += 60;
+    heights.key_px = has_free_place(figure) || key_px == 0 ? 0 : key_px + 10;
+    heights.panel_px = 420 + title_px * (title_lines(figure) - 1);
+    rows = (static_cast<int>(figure.panels.size()) + 1) / 2;
+  }
+  heights.all_px = heights.heading_px + rows * heights.panel_px + heights.key_px;
+  return heights;
+}
+
+/// The part of the figure where panel `i` of several stands, two in a row.
+void add_place(Script& script, const Heights& heights, std::size_t i) {
+  const int bottom_px = heights.heading_px + (static_cast<int>(i) / 2 + 1) * heights.panel_px;
+  script.add("set origin {},{}\nset size 0.5,{}\n", i % 2 == 0 ? 0.0 : 0.5,
+             1.0 - static_cast<double>(bottom_px) / heights.all_px,
+             static_cast<double>(heights.panel_px) / heights.all_px);
+}
+
+/// One for all panels, where there are no axes.
+void add_shared_key(Script& script, const Figure& figure, const Heights& heights) {
+  const std::vector<KeyEntry> key = key_of(figure);
+  if (key.empty()) return;
+  if (has_free_place(figure))
+    add_place(script, heights, figure.panels.size());
+  else
+    script.add("set origin 0,0\nset size 1,{}\n",
+               static_cast<double>(heights.key_px) / heights.all_px);
+  script.add(
+      "unset border\nunset xtics\nunset ytics\nunset xlabel\nunset ylabel\nunset title\n"
+      "unset arrow\nunset label\nset margins 8,0,0,{}\n"
+      "set key inside left top vertical maxrows {} maxcols {}\nplot \\\n  [0:1] [0:1] NaN notitle",
+      has_free_place(figure) ? Word("6") : Word("0"), key_rows(figure, key),
+      key_columns(figure, key));
+  add_key(script, key);
 }
 
 void add_panels(Script& script, const Figure& figure) {
-  const bool several = figure.panels.size() > 1;
-  if (several)
-    script.add("set multiplot layout {},{} title ", panel_rows(figure), panel_columns(figure));
-  else
-    script.add("set title ");
+  const bool several = has_several(figure);
+  const Heights heights = heights_of(figure);
+  script.add("{}", several ? Word("set multiplot title ") : Word("set title "));
   add_lines(script, figure.title, title_width, Quoted::Weight::bold);
   script.add(".\"\\n\".");
   add_lines(script, figure.below, below_width, Quoted::Weight::plain);
   script.add("\n");
-  if (several) {  // all panels are of the same size
-    script.add("set tmargin {}\nset bmargin {}\n", 1.8 + 1.1 * title_lines(figure),
-               4.5 + 1.3 * key_rows(figure));
-  }
+  if (several)  // all panels are of the same size
+    script.add("set margins -1,-1,4.5,{}\n", 1.8 + 1.1 * title_lines(figure));
   int index = 0;
-  for (Panel panel : figure.panels) {
+  for (std::size_t i = 0; i < figure.panels.size(); ++i) {
+    Panel panel = figure.panels[i];
     panel.x = drawable(panel.x);
     panel.y = drawable(panel.y);
     if (several) {
+      add_place(script, heights, i);
       script.add("set title ");
       add_lines(script, panel.title, panel_title_width, Quoted::Weight::bold);
       script.add("\n");
@@ -260,8 +323,11 @@ void add_panels(Script& script, const Figure& figure) {
     add_axis(script, "y", panel.y, label_width(figure), several ? tick_width : single_tick_width);
     add_rules_and_notes(script, panel);
     add_plot(script, figure.name, panel, index);
+    add_key(script, several ? std::vector<KeyEntry>{} : key_of(figure));
   }
-  if (several) script.add("unset multiplot\n");
+  if (!several) return;
+  add_shared_key(script, figure, heights);
+  script.add("unset multiplot\n");
 }
 
 }  // namespace
@@ -339,8 +405,8 @@ Panel in_logarithms(Panel panel) {
 Figure labelled(Figure figure) {
   std::ranges::transform(figure.panels, figure.panels.begin(), in_logarithms);
   if (!figure.labels_at_lines) return figure;
-  const PanelSize size = figure.panels.size() > 1 ? PanelSize{330.0, 270.0}
-                                                  : PanelSize{730.0, figure.plot_height_px - 210.0};
+  const PanelSize size = has_several(figure) ? PanelSize{330.0, 270.0}
+                                             : PanelSize{730.0, figure.plot_height_px - 210.0};
   for (Panel& panel : figure.panels) {
     panel.x = drawable(panel.x);
     panel.y = drawable(panel.y);
@@ -360,15 +426,8 @@ void add_output(Script& script, const Figure& figure, Word ending, int descripto
 
 std::string script_of(const Figure& unlabelled, const Drawings& to) {
   const Figure figure = labelled(unlabelled);
-  const int rows = key_rows(figure);
   // As wide as a printed page has room for letters of 9 pt and more.
-  const int width_px = 840;
-  constexpr int key_px = 24, title_px = 40;  // a line, and as much of the plot: the key needs both
-  const int panel_px = 420 + title_px * (title_lines(figure) - 1);
-  const int height_px =
-      more_heading_px(figure) + (figure.panels.size() > 1
-                                     ? 60 + panel_rows(figure) * (panel_px + key_px * rows)
-                                     : figure.plot_height_px + key_px * rows);
+  const int width_px = 840, height_px = heights_of(figure).all_px;
   Script script;
   script.add(
       "# Draw again with: gnuplot {}.gp\n"
@@ -390,7 +449,7 @@ std::string script_of(const Figure& unlabelled, const Drawings& to) {
       "font 'Arial,9.5' fontscale 0.75\n",  // 9.5 pt; the usual 0.5 gives 6.3
       width_px / px_per_inch, height_px / px_per_inch);
   add_output(script, figure, "pdf", to.pdf);
-  if (figure.panels.size() > 1) {
+  if (has_several(figure)) {
     add_panels(script, figure);
     return script.str();
   }

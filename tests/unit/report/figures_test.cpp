@@ -16,6 +16,7 @@
 #include "glissade/report/tables.hpp"
 #include "made_up_results.hpp"
 #include "plot/labels.hpp"
+#include "plot/script.hpp"
 
 namespace glissade {
 namespace {
@@ -142,6 +143,23 @@ TEST(figures, say_what_each_point_of_several_panels_is) {
         "roof 3: Vertical: none, PGA", "roof 3: Vertical: 0.1 s, PGA", "roof 1", "roof 3"})
     EXPECT_THAT(svg, states(std::string("<title>") + title + "</title>"));
   EXPECT_THAT(svg, testing::Not(testing::HasSubstr("_plot_1a</title>")));
+}
+
+TEST(figures, of_several_panels_have_one_key_with_each_entry_once) {
+  Panel panel{"", {"x", 0.0, 1.0}, {"y", 0.0, 1.0}};
+  panel.series = {{DataSeries::Kind::line, {}, "a", "shared", {0.0, 1.0}, {0.0, 1.0}}};
+  Panel other = panel;
+  other.rules = {{Rule::Kind::horizontal, 0.5, {}, "in one alone"}};
+  const std::string script = gnuplot::script_of({"shared", "", "", "", {panel, other}});
+  const std::string of_svg = script.substr(0, script.find("set terminal pdfcairo"));
+  const auto count = [&](const std::string& text) {
+    int found = 0;
+    for (std::size_t at = 0; (at = of_svg.find(text, at)) != std::string::npos; ++at) ++found;
+    return found;
+  };
+  EXPECT_EQ(count("title 'shared'"), 1);
+  EXPECT_EQ(count("title 'in one alone'"), 1);
+  EXPECT_EQ(count("plot \\\n"), 3);
 }
 
 TEST(figures, may_have_a_minus_in_their_name) {  // gnuplot allows none in a terminal's

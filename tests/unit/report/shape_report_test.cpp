@@ -75,14 +75,22 @@ TEST(shape_report, names_the_best_model_and_what_is_not_lognormal) {
   EXPECT_THAT(summary_text(r), states("lognormal"));
 }
 
-TEST(shape_report, figure_marks_the_gap_of_what_is_not_lognormal_alone) {
+TEST(shape_report,
+     figure_marks_the_gap_of_what_was_tested_and_draws_the_same_models_in_all_panels) {
   const Figure figure = shape_figure(made_up());
   ASSERT_EQ(figure.panels.size(), 2u);
   EXPECT_THAT(figure.panels[0].title, states("gap"));
   EXPECT_THAT(figure.panels[1].title, testing::Not(states("gap")));
-  ASSERT_EQ(figure.panels[0].notes.size(), 1u);
-  EXPECT_THAT(figure.panels[0].notes[0].text, states("largest gap"));
-  EXPECT_TRUE(figure.panels[1].notes.empty());
+  ASSERT_EQ(figure.panels[0].rules.size(), 1u);
+  EXPECT_THAT(figure.panels[0].rules[0].label, states("largest gap"));
+  EXPECT_TRUE(figure.panels[1].rules.empty());
+  const auto models = [&](std::size_t panel) {
+    std::vector<std::string> names;
+    for (const DataSeries& series : figure.panels[panel].series) names.push_back(series.label);
+    return names;
+  };
+  EXPECT_EQ(models(0), models(1));
+  EXPECT_THAT(models(0), testing::Contains("two-part"));
 }
 
 }  // namespace

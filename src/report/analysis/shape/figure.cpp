@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "analysis/shape/shape.hpp"
@@ -45,11 +46,15 @@ DataSeries lognormal(const Panel& panel, const ThresholdFragility& fragility) {
   return series;
 }
 
-DataSeries of_model(const Results& results, const ThresholdFragility& fragility,
-                    const ThresholdShape& shape, ShapeModel model, std::size_t look_index) {
-  DataSeries series{DataSeries::Kind::line, distinct_look(look_index), model_name(model)};
-  series.look.dash = static_cast<int>(look_index) + 1;
-  const double floor = fragility.capacities.curve.floor;
+constexpr std::array other_models = {ShapeModel::logit, ShapeModel::complementary_log_log,
+                                     ShapeModel::two_part, ShapeModel::one_surface};
+
+DataSeries of_model(const Results& results, std::size_t threshold, ShapeModel model) {
+  const auto place = std::ranges::find(other_models, model) - other_models.begin();
+  DataSeries series{DataSeries::Kind::line, distinct_look(static_cast<std::size_t>(place) + 1),
+                    model_name(model)};
+  const double floor = results.runs.front().fragilities[threshold].capacities.curve.floor;
+  const ThresholdShape& shape = results.shape->runs.front().thresholds[threshold];
   for (std::size_t l = 0; l < results.levels.size(); ++l) {
     const double probability = shape.probability_at(model, l);
     if (!std::isnan(probability))
@@ -57,18 +62,6 @@ DataSeries of_model(const Results& results, const ThresholdFragility& fragility,
   }
   return series;
 }
-
-/// Where the observed share and the lognormal are farthest apart.
-void mark_gap(Panel& panel, const ThresholdFragility& fragility) {
-  const GoodnessOfFit& fit = fragility.lognormal;
-  if (!departs_from_lognormal(fit) || !(fit.gap_intensity < panel.x.high)) return;
-  panel.rules.push_back({Rule::Kind::vertical, fit.gap_intensity, look(Role::reference)});
-  panel.notes.push_back(
-      {fit.gap_intensity, 0.05, " largest gap", look(Role::reference).colour, Note::Align::left});
-}
-
-/// Below this difference from the lognormal a model is not drawn: the lines would be one.
-constexpr double visible_difference = 0.03;
 
 double difference_from_lognormal(const DataSeries& model, const ThresholdFragility& fragility) {
   double largest = fragility.capacities.converged() ? 0.0 : 1.0;
@@ -78,43 +71,45 @@ double difference_from_lognormal(const DataSeries& model, const ThresholdFragili
   return largest;
 }
 
-/// The three that differ most from the lognormal.
-std::vector<DataSeries> shown_models(const Results& results, const ThresholdFragility& fragility,
-                                     const ThresholdShape& shape) {
+/// Those that differ from the lognormal of any of some clearances by 0.03 or more (else the lines
+/// would be one); at most three, those that differ most.
+std::vector<ShapeModel> shown_models(const Results& results,
+                                     const std::vector<std::size_t>& thresholds) {
   constexpr std::size_t most = 3;
-  std::vector<std::pair<double, DataSeries>> lines;
-  std::size_t look_index = 1;
-  for (const ShapeModel model : {ShapeModel::logit, ShapeModel::complementary_log_log,
-                                 ShapeModel::two_part, ShapeModel::one_surface}) {
-    DataSeries line = of_model(results, fragility, shape, model, look_index++);
-    if (const double by = difference_from_lognormal(line, fragility); by > visible_difference)
-      lines.emplace_back(by, std::move(line));
+  constexpr double visible_difference = 0.03;
+  std::vector<std::pair<double, ShapeModel>> models;
+  for (const ShapeModel model : other_models) {
+    double by = 0.0;
+    for (const std::size_t t : thresholds) {
+      const ThresholdFragility& fragility = results.runs.front().fragilities[t];
+      by = std::max(by, difference_from_lognormal(of_model(results, t, model), fragility));
+    }
+    if (by > visible_difference) models.emplace_back(by, model);
   }
-  if (lines.size() > most)
-    lines.erase(std::ranges::min_element(lines, {}, &std::pair<double, DataSeries>::first));
-  std::vector<DataSeries> shown;
-  for (auto& [by, line] : lines) shown.push_back(std::move(line));
+  if (models.size() > most) models.erase(std::ranges::min_element(models));
+  std::vector<ShapeModel> shown;
+  for (const auto& [by, model] : models) shown.push_back(model);
   return shown;
 }
 
-Panel panel_of(const Results& results, std::size_t threshold) {
+Panel panel_of(const Results& results, std::size_t threshold,
+               const std::vector<ShapeModel>& models) {
   const ThresholdFragility& fragility = results.runs.front().fragilities[threshold];
-  const ThresholdShape& shape = results.shape->runs.front().thresholds[threshold];
-  const double p = fragility.lognormal.p_value;
-  Panel panel{
-      format_length(fragility.threshold_m) +
-          (std::isnan(p)
-               ? ""
-               : fmt::format(": {}largest gap {:.2f} ({})",
-                             departs_from_lognormal(fragility.lognormal) ? "not lognormal, " : "",
-                             std::abs(fragility.lognormal.largest_gap), format_p(p))),
-      {results.intensity_label, 0.0, results.levels.back()},
-      {"Probability of exceedance", 0.0, 1.0}};
+  const GoodnessOfFit& fit = fragility.lognormal;
+  const bool is_tested = !std::isnan(fit.p_value);
+  Panel panel{format_length(fragility.threshold_m) +
+                  (is_tested ? fmt::format(": {}largest gap {:.2f} ({})",
+                                           departs_from_lognormal(fit) ? "not lognormal, " : "",
+                                           std::abs(fit.largest_gap), format_p(fit.p_value))
+                             : ""),
+              {results.intensity_label, 0.0, results.levels.back()},
+              {"Probability of exceedance", 0.0, 1.0}};
   panel.series = {interval_bars(results, fragility), lognormal(panel, fragility)};
-  for (DataSeries& line : shown_models(results, fragility, shape))
-    panel.series.push_back(std::move(line));
+  for (const ShapeModel model : models) panel.series.push_back(of_model(results, threshold, model));
   panel.series.push_back(observed(results, fragility));
-  mark_gap(panel, fragility);
+  if (is_tested)
+    panel.rules.push_back({Rule::Kind::vertical, fit.gap_intensity, look(Role::reference),
+                           "largest gap to the lognormal"});
   for (DataSeries& series : panel.series) {
     if (series.kind != DataSeries::Kind::bars)
       series.label = series.name == "observed" ? "observed, 95 % interval" : series.name;
@@ -135,13 +130,15 @@ Figure shape_figure(const Results& results) {
       "of any slip times that of its size. One surface: lognormals of all clearances with one log "
       "std. Shown are the clearance where the observed share departs most from the lognormal, and "
       "that where it departs least. Of the models at most three are drawn, those that differ most "
-      "from the lognormal, and by 0.03 or more. p: goodness of fit; dotted: where the gap is "
-      "largest. All clearances: tables/shape.csv and tables/shape_levels.csv."};
-  for (const auto shown : {worst, best}) {
-    if (shown == best && best == worst && !figure.panels.empty()) break;
-    figure.panels.push_back(
-        panel_of(results, static_cast<std::size_t>(shown - fragilities.begin())));
-  }
+      "from the lognormal of either, and by 0.03 or more. p: goodness of fit. All clearances: "
+      "tables/shape.csv and tables/shape_levels.csv."};
+  std::vector<std::size_t> shown;
+  for (const auto one : {worst, best})
+    shown.push_back(static_cast<std::size_t>(one - fragilities.begin()));
+  if (best == worst) shown.pop_back();
+  const std::vector<ShapeModel> models = shown_models(results, shown);
+  for (const std::size_t threshold : shown)
+    figure.panels.push_back(panel_of(results, threshold, models));
   return figure;
 }
 
