@@ -53,7 +53,7 @@ Look family_look(std::size_t index, std::size_t count) {
                                                            {0x21, 0x91, 0x8c},
                                                            {0x3f, 0xb0, 0x6e},
                                                            {0x8f, 0xc3, 0x2f}}};
-  constexpr std::array<int, 5> symbols = {7, 5, 9, 13, 11};  // disc, square, triangle, diamond ...
+  constexpr std::array symbols = {7, 5, 9, 13, 11, 15};  // disc, square, triangle, diamond ...
   const double position =
       count < 2 ? 1.0
                 : static_cast<double>(index) / static_cast<double>(count - 1) * (stops.size() - 1);

@@ -179,20 +179,46 @@ TEST(verdict_report, draws_how_probably_two_arrays_meet_where_they_have_neighbou
   EXPECT_THAT(figures(), Not(Contains("verdict_separations")));
 }
 
-TEST(verdict_report, over_R_where_there_is_one_S_DS) {
+TEST(verdict_report, over_R_where_there_is_one_S_DS_elastic_at_1_and_all_points_inside) {
   Results r = made_up();
   std::erase_if(r.verdict->rows, [](const VerdictRow& row) { return row.sds_g != 1.0; });
   for (VerdictRow& row : r.verdict->rows) row.mu = 0.5;
   r.cases.cases.at(1).response_modification = 4.0;
   const Panel panel = verdict_figure(r).panels.at(0);
-  EXPECT_EQ(panel.series.at(1).x, (std::vector{0.0, 4.0}));
-  EXPECT_EQ(panel.x.ticks.at(0).label, "elastic");
+  EXPECT_EQ(panel.series.at(1).x, (std::vector{1.0, 4.0}));
+  EXPECT_THAT(panel.x.label, states("1: elastic"));
+  EXPECT_EQ(panel.y.ticks.front().label, "\u2264 0.1");
+  for (const DataSeries& series : panel.series) {
+    EXPECT_GT(series.x.front() + series.aside, panel.x.low);
+    EXPECT_LT(series.x.back() + series.aside, panel.x.high);
+  }
 }
 
 TEST(verdict_report, is_absent_without_the_analysis) {
   const Results r = made_up_chart_results();
   for (const Table& table : csv_tables(r))
     EXPECT_FALSE(table.name.text().starts_with("verdict")) << table.name.text();
+}
+
+// An empty plot shows nothing; what is in it is said instead.
+TEST(verdict_report, leaves_out_slopes_on_which_no_line_leaves_the_lower_edge) {
+  Results r = made_up();
+  for (std::size_t i = 0; i < 6; ++i) {
+    VerdictRow flat = r.verdict->rows[i];
+    flat.slope_deg = 0.0;
+    flat.displacement_m.front() = 0.03;  // a twentieth
+    flat.displacement_interval.front() = {0.01, 0.09};
+    r.verdict->rows.push_back(flat);
+  }
+  Figure figure = verdict_figure(r);
+  ASSERT_EQ(figure.panels.size(), 1u);
+  EXPECT_EQ(figure.panels[0].title, "slope 2 degrees");
+  EXPECT_THAT(figure.below,
+              states("not drawn: slope 0 degrees, at most 0.0500 (intervals to 0.150)"));
+  r.verdict->rows.erase(r.verdict->rows.begin(), r.verdict->rows.begin() + 6);
+  figure = verdict_figure(r);  // there is no other
+  ASSERT_EQ(figure.panels.size(), 1u);
+  EXPECT_THAT(figure.below, Not(states("not drawn")));
 }
 
 }  // namespace

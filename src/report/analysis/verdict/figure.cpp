@@ -32,11 +32,11 @@ std::set<double> all_of(const VerdictResults& verdict, double VerdictRow::*of) {
   return values;
 }
 
-/// Over S_DS, or over R where there is one S_DS and several R: of the rows of a standard a panel
-/// for each slope that is drawn, a line with intervals for each friction, and a horizontal line at
-/// `rule`. Of arrays that differ in something else the one with the largest y is drawn.
+/// Over S_DS, or over R where there is one S_DS and several R (elastic: R = 1): of the rows of a
+/// standard a panel for each slope that is drawn, a line with intervals for each friction, and a
+/// horizontal line. Of arrays that differ in something else the one with the largest y is drawn.
 std::vector<Panel> panels_of(const Results& results, Table table, const std::string& y,
-                             double rule) {
+                             const Rule& rule) {
   const VerdictResults& verdict = *results.verdict;
   std::set<double> strengths;
   for (const VerdictRow& row : verdict.rows) strengths.insert(response_modification(results, row));
@@ -46,7 +46,17 @@ std::vector<Panel> panels_of(const Results& results, Table table, const std::str
   View view{table, x, {}, {{"standard", standard_name(verdict.rows.back().standard)}}};
   view.spread = DataSeries::Kind::bars;
   const double x_end = over_r ? *strengths.rbegin() : results.levels.back();
-  view.apart = 0.004 * x_end;  // of one bar beside the next
+  view.apart = 0.006 * x_end;  // of one bar beside the next
+  const double elastic_at = over_r ? std::min(1.0, *std::next(strengths.begin()) - 0.5) : 0.0;
+  if (over_r) {
+    for (const double r : strengths) {
+      const double at = r == 0.0 ? elastic_at : r;
+      view.places.push_back({r, {at, fmt::format("{:g}", at)}});
+    }
+  }
+  const std::string label =
+      "Response modification R" +
+      (*strengths.begin() == 0.0 ? fmt::format(" ({:g}: elastic)", elastic_at) : "");
   const std::vector<double> frictions = some_of(all_of(verdict, &VerdictRow::mu), most_lines);
   std::vector<Panel> panels;
   for (const double slope_deg : some_of(all_of(verdict, &VerdictRow::slope_deg), most_panels)) {
@@ -58,18 +68,37 @@ std::vector<Panel> panels_of(const Results& results, Table table, const std::str
                             y,
                             {{"mu", mu}, {"slope", slope_deg}},
                             y + "_low95",
-                            y + "_high95",
-                            fmt::format("{:.3g}", mu)});
-    Panel panel = panel_of(view, over_r ? "R of the building" : results.intensity_label);
+                            y + "_high95"});
+    Panel panel = panel_of(view, over_r ? label : results.intensity_label);
     panel.title = fmt::format("slope {:.3g} degrees", slope_deg);
-    panel.x.low = 0.0;
-    if (over_r)
-      for (const double r : strengths)
-        panel.x.ticks.push_back({r, r == 0.0 ? "elastic" : fmt::format("{:g}", r)});
-    panel.rules.push_back({Rule::Kind::horizontal, rule, look(Role::prescribed), ""});
+    const double room = 0.06 * x_end;  // for bars and points beside the ends
+    panel.x.low = over_r ? panel.x.low - room : 0.0;
+    panel.x.high += room;
+    panel.rules.push_back(rule);
     panels.push_back(std::move(panel));
   }
   return panels;
+}
+
+/// Leaves panels out in which no line is above `least`, unless all are; what the figure has to say
+/// of them.
+std::string leave_out_below(std::vector<Panel>& panels, double least, std::string (*text)(double)) {
+  const auto largest_of = [](const Panel& panel, std::vector<double> DataSeries::*values) {
+    double found = 0.0;
+    for (const DataSeries& series : panel.series) found = std::max(found, largest(series.*values));
+    return found;
+  };
+  const auto is_below = [&](const Panel& panel) {
+    return largest_of(panel, &DataSeries::y) <= least;
+  };
+  if (std::ranges::all_of(panels, is_below)) return "";
+  std::string left_out;
+  for (const Panel& panel : panels | std::views::filter(is_below))
+    left_out += fmt::format("; not drawn: {}, at most {} (intervals to {})", panel.title,
+                            text(largest_of(panel, &DataSeries::y)),
+                            text(largest_of(panel, &DataSeries::high)));
+  std::erase_if(panels, is_below);
+  return left_out;
 }
 
 /// What the other standard prescribes, of all arrays the same, over what this one does.
@@ -80,7 +109,8 @@ std::vector<DataSeries> other_standard(const VerdictResults& verdict, Standard s
   if (other == kinds.end()) return {};
   Look dotted = look(Role::prescribed);
   dotted.dash = 3;
-  DataSeries line{DataSeries::Kind::line, dotted, standard_name(other->front().standard), ""};
+  const std::string name = standard_name(other->front().standard);
+  DataSeries line{DataSeries::Kind::line, dotted, name, "prescribed by " + name};
   for (const VerdictRow& row : *other) {
     for (const VerdictRow& same : verdict.rows | std::views::reverse) {
       if (same.standard != standard || same.sds_g != row.sds_g) continue;
@@ -110,19 +140,18 @@ Figure verdict_figure(const Results& results) {
       fmt::format("Displacement that {:g} % exceed at DBE, over that of {}", accepted,
                   standard_name(standard)),
       results.suites.front().name + ", " + counts_of(results) +
-          "; the governing building; at the lines: friction; bars: 95 % over records" +
+          "; the governing building; bars, side by side: 95 % over records" +
           (has_upper_ends(verdict) ? "" : ", lower ends (upper ends: none)"),
-      fmt::format("Governing: the building with the largest ratio. At the lines: coefficient of "
-                  "friction. Above 1 the prescribed displacement is "
-                  "exceeded with more than {:g} % probability, given the design earthquake. Bars: "
-                  "95 % intervals over records; one that ends at its point has no upper end: the "
-                  "records are too few for one. Dotted: what the other standard prescribes over "
-                  "it. Ratios below {:g} are drawn at it; a line ends where the array slides "
-                  "freely. Lines are drawn a little apart, for their bars. All frictions and "
-                  "slopes, with intervals: tables/verdict.csv.",
-                  accepted, least_ratio)};
+      fmt::format(
+          "Governing: the building with the largest ratio. Above 1 the prescribed displacement is "
+          "exceeded with more than {:g} % probability, given the design earthquake. Bars: "
+          "95 % intervals over records; one that ends at its point has no upper end: the "
+          "records are too few for one. Dotted: what the other standard prescribes over "
+          "it. Ratios below {:g} are drawn at it; a line ends where the array slides "
+          "freely. Lines are drawn a little apart, for their bars. All frictions and "
+          "slopes, with intervals: tables/verdict.csv.",
+          accepted, least_ratio)};
   const std::vector<DataSeries> others = other_standard(verdict, standard);
-  for (const DataSeries& other : others) figure.below += "; dotted: " + other.name;
   Table table = verdict_table(results);
   const auto ratio = std::ranges::find(table.columns, "ratio", &Column::stem);
   for (std::vector<Cell>& row : table.rows) {  // without an upper end: down from the point
@@ -130,22 +159,25 @@ Figure verdict_figure(const Results& results) {
         std::get<SignedEstimate>(row[static_cast<std::size_t>(ratio - table.columns.begin())]);
     if (std::isinf(of.interval.high)) of.interval.high = of.value;
   }
-  figure.panels = panels_of(results, std::move(table), "ratio", 1.0);
+  figure.panels = panels_of(results, std::move(table), "ratio",
+                            {Rule::Kind::horizontal, 1.0, look(Role::prescribed),
+                             "prescribed by " + standard_name(standard)});
+  figure.below += leave_out_below(figure.panels, least_ratio, format_number);
   double highest = 2.0;
   bool has_less = false;
   for (Panel& panel : figure.panels) {
     for (const DataSeries& series : panel.series) {
       highest = std::max(highest, 1.12 * largest(series.high));
-      has_less |= std::ranges::any_of(series.y, [](double y) { return y < least_ratio; });
+      for (const std::vector<double>& values : {series.y, series.low})
+        has_less |= std::ranges::any_of(values, [](double y) { return y < least_ratio; });
     }
     panel.series.insert(panel.series.begin(), others.begin(), others.end());
   }
-  if (has_less)
-    figure.below += fmt::format("; points at the lower edge: {:g} or less", least_ratio);
-  for (Panel& panel : figure.panels)
+  for (Panel& panel : figure.panels) {
     panel.y = log_axis("Ratio to the prescribed value", least_ratio, highest,
                        [](double ratio) { return fmt::format("{:g}", ratio); }, {1.0, 2.0, 5.0});
-  figure.labels_at_lines = true;
+    if (has_less) panel.y.ticks.front().label = fmt::format("\u2264 {:g}", least_ratio);
+  }
   return figure;
 }
 
@@ -159,19 +191,20 @@ Figure verdict_separations_figure(const Results& results) {
                   standard_name(standard)),
       results.suites.front().name + ", " + counts_of(results) + "; arrays " +
           neighbours_text(results) +
-          "; the governing building; at the lines: friction; bars: 95 % over records",
-      fmt::format(
-          "At the lines: coefficient of friction of the array; that of its neighbour is drawn "
-          "(study). Lines are drawn a little apart, for their bars. The larger of the gaps along "
-          "and across the slope. Horizontal line: {:g} %. "
-          "All frictions, slopes and separations: tables/verdict_separations.csv.",
-          accepted)};
+          "; the governing building; bars, side by side: 95 % over records",
+      fmt::format("Friction: of the array; that of its neighbour is drawn (study). Lines are drawn "
+                  "a little apart, for their bars. The larger of the gaps along "
+                  "and across the slope. Horizontal line: {:g} %. "
+                  "All frictions, slopes and separations: tables/verdict_separations.csv.",
+                  accepted)};
   Table table = verdict_separations_table(results);
   keep_rows(table, "factor", [](double factor) { return factor == 0.5; });
   figure.panels =
-      panels_of(results, std::move(table), "dbe_probability", verdict.exceedance.front());
+      panels_of(results, std::move(table), "dbe_probability",
+                {Rule::Kind::horizontal, verdict.exceedance.front(), look(Role::prescribed),
+                 fmt::format("{:g} %: more is not accepted", accepted)});
+  figure.below += leave_out_below(figure.panels, 0.5 * verdict.exceedance.front(), format_share);
   for (Panel& panel : figure.panels) panel.y = share_axis("Probability");
-  figure.labels_at_lines = true;
   return figure;
 }
 
