@@ -96,23 +96,22 @@ Figure hazard_figure(const Results& results) {
 Figure life_figure(const Results& results) {
   const HazardResults& hazard = *results.hazard;
   const std::size_t shown = governing_run(results);
-  constexpr double least_share = 2e-4;  // room for the names of the lines below 0.1 %
-  const std::array names = {std::pair{LifeQuantity::single, "largest peak"},
-                            std::pair{LifeQuantity::accumulated, "accumulated"},
-                            std::pair{LifeQuantity::farthest, "largest distance"}};
+  constexpr double least_share = 1e-3;
+  // Each is seen where they coincide: a wide line, dashes on it, thin dots on these.
+  const std::array lines = {std::pair{LifeQuantity::single, Look{{0x9ecae1}, 9.0}},
+                            std::pair{LifeQuantity::accumulated, Look{{0xd55e00}, 4.0, 2}},
+                            std::pair{LifeQuantity::farthest, Look{{0x000000}, 2.5, 3}}};
   double right_m = 0.01;
   for (const LifeQuantile& row : hazard.runs[shown].life_distribution)
     if (std::isfinite(row.displacement_m)) right_m = std::max(right_m, row.displacement_m);
-  Panel panel{"", length_axis("Displacement in plan", room_for_rates * right_m)};
+  Panel panel{"", length_axis("Displacement in plan", 1.05 * right_m)};
   panel.y = log_axis("Share of the design lives that exceed it", least_share, 1.0,
                      [](double share) { return fmt::format("{:g} %", 100.0 * share); });
-  for (std::size_t i = 0; i < names.size(); ++i) {
-    DataSeries line{DataSeries::Kind::line, distinct_look(i), names[i].second, names[i].second};
-    // Those that lie on one another are all seen: the first drawn is the widest.
-    line.look.width = 9.0 - 3.5 * static_cast<double>(i);
-    line.look.dash = 1;
+  for (const auto& [quantity, look] : lines) {
+    const std::string name = quantity_name(quantity);
+    DataSeries line{DataSeries::Kind::line, look, name, name};
     for (const LifeQuantile& row : hazard.runs[shown].life_distribution) {
-      if (row.quantity != names[i].first || !std::isfinite(row.displacement_m)) continue;
+      if (row.quantity != quantity || !std::isfinite(row.displacement_m)) continue;
       line.add(row.displacement_m, 1.0 - row.probability);
     }
     panel.series.push_back(std::move(line));
@@ -121,14 +120,12 @@ Figure life_figure(const Results& results) {
       "design_life",
       "Share of design lives of " + life_text(hazard) + " that exceed a displacement",
       run_below(results, results.runs[shown]) + "; hazard curve " + curve_name(hazard),
-      "Largest peak: of one earthquake. Accumulated: at the end; residual displacements add up as "
-      "vectors, since the array is not returned to its initial position. Largest distance: from "
-      "there, at any time. " +
+      "Residual displacements add up as vectors, since the array is not returned to its initial "
+      "position. " +
           std::string(kept_over_life) +
           " Lines end where shaking above the highest level decides, or at one life in a thousand. "
           "Numbers: tables/design_life_distribution.csv."};
   figure.panels.push_back(std::move(panel));
-  figure.labels_at_lines = true;
   return figure;
 }
 

@@ -21,6 +21,8 @@ inline constexpr auto not_returned = "the array not returned to its initial posi
 inline constexpr auto kept_over_life =
     "The record of each earthquake is drawn; friction, slope, building and orientation (which "
     "component acts along the slope, with which signs) are those of one sample for the whole life.";
+/// "largest peak of one earthquake".
+std::string quantity_name(LifeQuantity quantity);
 /// "25 years".
 std::string life_text(const HazardResults& hazard);
 

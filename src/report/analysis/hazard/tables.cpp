@@ -65,6 +65,8 @@ SignedEstimate target_of(const HazardRun& run, const TargetDisplacement& row) {
   return at_least(row.displacement_m, row.below_share);
 }
 
+}  // namespace
+
 std::string quantity_name(LifeQuantity quantity) {
   switch (quantity) {
     case LifeQuantity::single:
@@ -76,8 +78,6 @@ std::string quantity_name(LifeQuantity quantity) {
   }
   return "";
 }
-
-}  // namespace
 
 const char* sign_of(const ThresholdRate& row) { return row.is_mostly_assumed() ? "< " : ""; }
 
