@@ -73,6 +73,19 @@ TEST(sensitivity_report, draws_the_largest_factor_first) {
   EXPECT_EQ(ticks[0].label, "records");
   EXPECT_EQ(ticks[1].label, "friction");
   EXPECT_GT(ticks[0].at, ticks[1].at);
+  EXPECT_THAT(figure->below, states("capacity", "friction normal, mean 0.55"));
+  EXPECT_THAT(figure->below, Not(states("error of the samples")));
+}
+
+TEST(sensitivity_report, draws_both_intervals_and_says_that_no_share_is_larger_alone) {
+  Results r = made_up();
+  r.sensitivity->rows.front().first.back() = 0.375;  // total: 0.25
+  const std::vector<Figure> figures = make_figures(r);
+  const Figure figure = *std::ranges::find(figures, FileName("sensitivity"), &Figure::name);
+  EXPECT_THAT(figure.below, states("more alone", "error of the samples"));
+  for (const char* label : {"95 % interval of alone", "95 % interval with interactions"})
+    EXPECT_EQ(std::ranges::count(figure.panels.at(0).series, label, &DataSeries::label), 3)
+        << label;
 }
 
 }  // namespace

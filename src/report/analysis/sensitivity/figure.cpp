@@ -14,7 +14,7 @@ namespace glissade {
 namespace {
 
 constexpr std::size_t most_panels = 3;
-constexpr Colour dark{0x0072b2}, light{0xb9dcf0}, ink{0x222222};
+constexpr Colour ink{0x222222};
 
 /// Known of every factor: total indices, or of given data those of first order.
 const std::vector<double>& shown_indices(const SensitivityResults& found, const SpreadRow& row) {
@@ -37,15 +37,11 @@ double percent(double share) { return 100.0 * std::clamp(share, 0.0, 1.0); }
 /// Beyond 100 % stand the numbers.
 constexpr double right_end_percent = 138.0;
 
-/// A line across, from one percentage to another.
-DataSeries stroke(const Look& look, const std::string& name, double y, double from, double to) {
-  return {DataSeries::Kind::line, look, name, "", {from, to}, {y, y}, {}, {}};
-}
-
-const Look wide_light{light, 18.0}, wide_dark{dark, 9.0}, thin{ink, 2.0};
-
 Panel bars_of(const SensitivityResults& found, const SpreadRow& row,
               const std::vector<std::size_t>& factors) {
+  const Look wide_light{{0xb9dcf0}, 18.0}, wide_dark{{0x0072b2}, 9.0}, above{{0x56b4e9}, 2.5},
+      below{ink, 2.5};
+  constexpr double aside = 0.3;  // of an interval from its bar, on white
   Panel panel{fmt::format("{}, log std {:.2f}", format_length(row.threshold_m), row.std),
               {"Share of the variance (%)", 0.0, right_end_percent},
               {"", 0.4, static_cast<double>(factors.size()) + 0.6}};
@@ -59,18 +55,31 @@ Panel bars_of(const SensitivityResults& found, const SpreadRow& row,
     const double first = percent(row.first[f]), total = percent(row.total[f]);
     if (!std::isfinite(first)) continue;
     const bool has_total = std::isfinite(total);
-    if (has_total)
-      panel.series.push_back(stroke(
-          wide_light, fmt::format("{}, with interactions: {:.0f} %", name, total), y, 0.0, total));
-    panel.series.push_back(
-        stroke(wide_dark, fmt::format("{}, alone: {:.0f} %", name, first), y, 0.0, first));
-    const Interval& interval = row.first_interval[f];
-    const double low = percent(interval.low), high = percent(interval.high);
-    // Below the bar, where it is on white.
-    constexpr double below = 0.3;
-    panel.series.push_back(
-        stroke(thin, fmt::format("{}, alone: 95 % interval {:.0f} to {:.0f} %", name, low, high),
-               y - below, low, high));
+    const auto add = [&](const Look& look, const std::string& what, double at, double low,
+                         double high, const std::string& text) {
+      panel.series.push_back({DataSeries::Kind::line,
+                              look,
+                              name + ", " + what + ": " + text,
+                              what,
+                              {low, high},
+                              {at, at},
+                              {},
+                              {}});
+    };
+    const auto add_bar = [&](const Look& look, const char* what, double share) {
+      add(look, what, y, 0.0, share, fmt::format("{:.0f} %", share));
+    };
+    const auto add_interval = [&](const Look& look, const char* what, double at,
+                                  const Interval& of) {
+      const double low = percent(of.low), high = percent(of.high);
+      add(look, what, at, low, high, fmt::format("{:.0f} to {:.0f} %", low, high));
+    };
+    if (has_total) {
+      add_bar(wide_light, "with interactions (in brackets)", total);
+      add_interval(above, "95 % interval with interactions", y + aside, row.total_interval[f]);
+    }
+    add_bar(wide_dark, "alone", first);
+    add_interval(below, "95 % interval of alone", y - aside, row.first_interval[f]);
     panel.notes.push_back(
         {104.0, y,
          fmt::format("{:.0f}", first) + (has_total ? fmt::format(" ({:.0f})", total) : ""), ink,
@@ -84,15 +93,18 @@ Panel bars_of(const SensitivityResults& found, const SpreadRow& row,
 Figure spread_figure(const Results& results) {
   const SensitivityResults& found = *results.sensitivity;
   const std::vector<const SpreadRow*> rows = first_capacity_rows(found, most_panels);
+  const bool has_error = std::ranges::any_of(rows, [](const SpreadRow* row) {
+    return !std::ranges::equal(row->first, row->total,
+                               [](double first, double total) { return !(first > total); });
+  });
   Figure figure{
-      "sensitivity", "Where the spread of the capacity comes from, by clearance",
-      "Dark: alone. Light, in brackets: with interactions. Line below: 95 % interval of alone. " +
-          cases_below(results, {0, results.cases.size()}),
-      fmt::format("Capacity: the intensity ({}) at which slip reaches the clearance of the panel; "
-                  "log std: its logarithmic standard deviation. Bars: Sobol indices of ln capacity "
-                  "in percent of its variance. Dark: the reduction of the variance if the factor "
-                  "is known (first-order index). Light: including interactions (total index).",
-                  results.intensity_label)};
+      "sensitivity", "Where the variance of ln capacity comes from, by clearance",
+      "capacity: the " + results.intensity_label + " at which slip reaches the clearance; " +
+          run_below(results, results.runs.front()) +
+          (has_error ? "; more alone than with interactions: error of the samples" : ""),
+      "Log std: logarithmic standard deviation of the capacity. Bars: Sobol indices of ln "
+      "capacity. Alone: the reduction of the variance if the factor is known (first-order index). "
+      "With interactions: total index."};
   const std::vector<std::size_t> factors = by_size(found, *rows.front());
   for (const SpreadRow* row : rows) figure.panels.push_back(bars_of(found, *row, factors));
   return figure;
