@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <set>
 #include <sstream>
 
 #include "facts.hpp"
@@ -119,8 +120,12 @@ TEST(hazard_report, draws_the_distribution_over_the_design_life) {
   const Figure figure = figure_named(make_figures(made_up_hazard()), "design_life");
   ASSERT_EQ(figure.panels.size(), 1u);
   ASSERT_EQ(figure.panels[0].series.size(), 3u);
-  for (const DataSeries& line : figure.panels[0].series)
+  std::set<int> dashes;  // lines that coincide are told apart by them
+  for (const DataSeries& line : figure.panels[0].series) {
     EXPECT_TRUE(std::ranges::is_sorted(line.y, std::greater<>()));
+    dashes.insert(line.look.dash);
+  }
+  EXPECT_EQ(dashes.size(), 3u);
 }
 
 TEST(hazard_report, states_what_is_kept_over_a_design_life) {
