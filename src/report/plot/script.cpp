@@ -98,6 +98,8 @@ void add_axis(Script& script, Word which, const Axis& axis, std::size_t label_wi
 /// Lines across and text; the key of a rule is a key entry.
 void add_rules_and_notes(Script& script, const Panel& panel) {
   script.add("unset arrow\nunset label\n");
+  // gnuplot's SVG gives lines of one colour and one width the dashes of the first.
+  double wider = 0.0;
   for (const Rule& rule : panel.rules) {
     const bool level = rule.kind == Rule::Kind::horizontal;
     const Axis& along = level ? panel.x : panel.y;
@@ -109,8 +111,9 @@ void add_rules_and_notes(Script& script, const Panel& panel) {
       script.add("set arrow from {0},{2} to {1},{2}", from, to, rule.at);
     else
       script.add("set arrow from {2},{0} to {2},{1}", from, to, rule.at);
-    script.add(" nohead dt {} lw {} lc rgb {} back\n", rule.look.dash, rule.look.width,
+    script.add(" nohead dt {} lw {} lc rgb {} back\n", rule.look.dash, rule.look.width + wider,
                rule.look.colour);
+    wider += 0.01;
   }
   for (const Note& note : panel.notes) {
     if (!std::isfinite(note.x) || !std::isfinite(note.y)) continue;

@@ -145,6 +145,20 @@ TEST(figures, say_what_each_point_of_several_panels_is) {
   EXPECT_THAT(svg, testing::Not(testing::HasSubstr("_plot_1a</title>")));
 }
 
+TEST(figures, draw_rules_of_one_colour_each_with_its_dashes) {
+  Panel panel{"", {"x", 0.0, 1.0}, {"y", 0.0, 1.0}};
+  panel.rules = {{Rule::Kind::horizontal, 0.4, {{0x123456}, 3.0, 1}},
+                 {Rule::Kind::horizontal, 0.6, {{0x123456}, 3.0, 2}}};
+  const fs::path folder = fresh_folder("dashes");
+  render_figure({"dashes", "", "", "", {panel}}, folder);
+  const std::string svg = read_text_file(folder / "dashes.svg"), colour = "rgb( 18,  52,  86)'";
+  const std::size_t solid = svg.find(colour), dashed = svg.find(colour, solid + 1);
+  ASSERT_NE(dashed, std::string::npos);
+  EXPECT_FALSE(svg.substr(solid + colour.size()).starts_with(" stroke-dasharray"));
+  EXPECT_TRUE(svg.substr(dashed + colour.size()).starts_with(" stroke-dasharray"))
+      << svg.substr(dashed, 80);
+}
+
 TEST(figures, of_several_panels_have_one_key_with_each_entry_once) {
   Panel panel{"", {"x", 0.0, 1.0}, {"y", 0.0, 1.0}};
   panel.series = {{DataSeries::Kind::line, {}, "a", "shared", {0.0, 1.0}, {0.0, 1.0}}};

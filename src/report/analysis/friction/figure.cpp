@@ -78,7 +78,9 @@ Figure friction_figure(const std::vector<PullTest>& tests, const PullTestSummary
   for (std::size_t d = 0; d < summary.directions.size(); ++d) {
     const DirectionFriction& direction = summary.directions[d];
     const MuStatistics& s = direction.sliding;
-    Look thin = distinct_look(d), dashed = distinct_look(d);
+    Look solid = distinct_look(d);
+    solid.dash = 1;
+    Look thin = solid, dashed = solid;
     thin.width = 1.0;
     dashed.dash = 2;
     Panel panel{direction.direction,
@@ -90,14 +92,14 @@ Figure friction_figure(const std::vector<PullTest>& tests, const PullTestSummary
     panel.series = {
         traces(tests, summary, direction.direction, PanelPart::whole, look(Role::record)),
         traces(tests, summary, direction.direction, PanelPart::sliding, thin)};
-    panel.rules = {{Rule::Kind::horizontal, s.mean, distinct_look(d),
-                    fmt::format("mean of sliding friction {} ({} {})", format_number(s.mean),
-                                s.tests, s.tests == 1 ? "test" : "tests")}};
+    panel.rules = {{Rule::Kind::horizontal, s.mean, solid,
+                    fmt::format("{}: mean of sliding friction {} ({} {})", direction.direction,
+                                format_number(s.mean), s.tests, s.tests == 1 ? "test" : "tests")}};
     if (s.tests > 1) {
       panel.rules.push_back(
           {Rule::Kind::horizontal, s.mean_minus_2_std, dashed,
-           fmt::format("mean - 2 std {} (95 % lower bound {})", format_number(s.mean_minus_2_std),
-                       format_number(s.lower_bound_95))});
+           fmt::format("{}: mean - 2 std {} (95 % lower bound {})", direction.direction,
+                       format_number(s.mean_minus_2_std), format_number(s.lower_bound_95))});
     }
     figure.panels.push_back(std::move(panel));
   }
