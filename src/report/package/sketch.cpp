@@ -107,8 +107,10 @@ std::string separations_sketch(const CalculationPackage& package) {
       if (all[row].kind != kind) continue;
       const std::string letter = separation_letter(row);
       letters += (letters.empty() ? "" : ", ") + letter;
-      if (all[row].available_m)
-        available.push_back(letter + " available " + length_in(*all[row].available_m));
+      if (!all[row].available_m) continue;
+      const bool is_short = *all[row].available_m < all[row].required.value_m;
+      available.push_back(letter + " available " + length_in(*all[row].available_m) +
+                          (is_short ? ": NOT SUFFICIENT" : ""));
     }
     std::size_t characters = letters.size() + 10;
     for (const std::string& line : available) characters = std::max(characters, line.size());
