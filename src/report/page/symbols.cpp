@@ -33,15 +33,20 @@ bool is_symbol(std::string_view page, std::size_t at) {
   return at == 1 || (!is_word(page[at - 2]) && page[at - 2] != '.' && !is_greek(page, at - 1));
 }
 
-/// Where nothing is set: a tag, or all of an element that shows its text as it is.
+/// Where nothing is set: a tag, or all of an element that shows its text as it is; to the end of
+/// the page where it is not closed.
 std::size_t end_of_markup(std::string_view page, std::size_t at) {
+  const auto behind = [&](std::string_view close) {
+    const std::size_t found = page.find(close, at);
+    return found == std::string_view::npos ? page.size() : found + close.size();
+  };
   for (const auto& [open, close] :
        std::array<std::array<std::string_view, 2>, 4>{{{"<style", "</style>"},
                                                        {"<title", "</title>"},
                                                        {"<pre", "</pre>"},
                                                        {"<svg", "</svg>"}}})
-    if (page.substr(at).starts_with(open)) return page.find(close, at) + close.size();
-  return page.find('>', at) + 1;
+    if (page.substr(at).starts_with(open)) return behind(close);
+  return behind(">");
 }
 
 }  // namespace

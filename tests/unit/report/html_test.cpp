@@ -6,6 +6,7 @@
 
 #include "facts.hpp"
 #include "made_up_results.hpp"
+#include "page/symbols.hpp"
 
 namespace glissade {
 namespace {
@@ -77,6 +78,14 @@ TEST(html_report, has_the_description_of_a_drawing_and_not_its_title_which_cover
                            "<svg id=\"x\"><title>Title</title><desc id=\"one_desc\">Up.</desc>"
                            "<g id=\"y\"></g></svg>"}});
   EXPECT_THAT(html, states("aria-describedby=\"one_desc\" id=\"x\"><desc id=\"one_desc\">Up."));
+}
+
+TEST(symbols, are_set_in_text_alone) {
+  EXPECT_EQ(with_symbols("<p title=\"S_DS\">S_DS, a^2, my_file, t_1.csv</p>"),
+            "<p title=\"S_DS\">S<sub>DS</sub>, a<sup>2</sup>, my_file, t_1.csv</p>");
+  EXPECT_EQ(with_symbols("<pre>S_S</pre> S_S"), "<pre>S_S</pre> S<sub>S</sub>");
+  for (const char* unclosed : {"S <pre>S_S", "S <svg S_S", "S <b S_S"})
+    EXPECT_EQ(with_symbols(unclosed), unclosed);
 }
 
 }  // namespace
