@@ -72,7 +72,8 @@ TEST(chart_figures, have_the_published_values_of_their_name) {
   EXPECT_NE(first.look.symbol, second.look.symbol);
   EXPECT_GE(figure.panels[0].y.high, 2.0 * top);
   EXPECT_EQ(figure.panels[0].x.high, 9.0);
-  for (const DataSeries& series : figure_named(results, "chart_slope").panels[0].series)
+  const Figure other = figure_named(results, "chart_slope");
+  for (const DataSeries& series : other.panels[0].series)
     EXPECT_FALSE(series.label.starts_with("A (2019)"));
 }
 
