@@ -358,8 +358,8 @@ std::vector<DesignCheck> checks_before_analysis(const Project& project, std::siz
   std::vector<DesignCheck> checks;
   checks.push_back({"records", fmt::format("{}", records),
                     fmt::format("{} or more; of fewer the largest counts in place of the mean "
-                                "(SEAOC PV1-2012); {} by ASCE 7-16, 16.2.2, for structures",
-                                least_records, 11),
+                                "(SEAOC PV1-2012); 11 by ASCE 7-16, 16.2.2, for structures",
+                                least_records),
                     records >= least_records});
   if (project.site.mapped) checks.push_back(site_specific_check(project.site));
   const ProjectFriction& mu = project.friction;
@@ -375,8 +375,13 @@ std::vector<DesignCheck> checks_before_analysis(const Project& project, std::siz
        is_supported});
   if (mu.tests) {
     const auto others = mu.traces.size() - std::ranges::count_if(mu.traces, meets_provision);
+    const bool is_known =
+        !mu.traces.empty() && std::ranges::all_of(mu.traces, [](const TraceFriction& test) {
+          return std::isfinite(test.speed_mps);
+        });
     checks.push_back({"pull tests behind the friction",
                       fmt::format("{}", *mu.tests) +
+                          (is_known ? "" : "; their travel or speed is not known") +
                           (others == 0 ? ""
                                        : fmt::format("; {} of {} in all directions are shorter "
                                                      "or at another speed",

@@ -73,7 +73,7 @@ TargetDisplacements displacements_of(const Product& product, const ProductTarget
                             .slope_deg = chart.slope_deg,
                             .mu = chart.mu,
                             .period_s = chart.period_s};
-  found.least_m =
+  const double least_m =
       least_share(Standard::asce7_16) * asce7_16_displacement(target.target.sds_g, 1.0).value_m;
   const auto analysis_m = [&](const ChartSlip& slip) {
     return found.factor * (found.of_largest ? slip.envelope_m : slip.mean_m);
@@ -90,9 +90,9 @@ TargetDisplacements displacements_of(const Product& product, const ProductTarget
       ProductDisplacement& row = found.points.emplace_back(
           ProductDisplacement{point.slope_deg, point.mu, point.largest, point.governing_period_s,
                               analysis_m(point.largest)});
-      row.is_of_standard =
-          is_within(Standard::asce7_16, {.slope_deg = row.slope_deg, .friction = row.mu});
-      row.design_m = row.is_of_standard ? std::max(row.analysis_m, found.least_m) : row.analysis_m;
+      row.design_m = is_within(Standard::asce7_16, {.slope_deg = row.slope_deg, .friction = row.mu})
+                         ? std::max(row.analysis_m, least_m)
+                         : row.analysis_m;
       for (const ChartSlip& slip : point.by_period) row.by_period_m.push_back(analysis_m(slip));
       if (!target.hazard) continue;
       row.event_m = analysis_m(chart.at(event, s, m).largest);

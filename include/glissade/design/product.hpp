@@ -45,9 +45,8 @@ struct ProductDisplacement {
   ChartSlip slip;                   ///< at S_DS, the largest over the building periods
   double period_s = 0.0;            ///< where its mean is largest
   double analysis_m = 0.0;          ///< factor x mean, or largest record
-  double design_m = 0.0;            ///< the same, or the least value of the standard if more
+  double design_m = 0.0;            ///< within ASCE 7-16 its least value, I_e = 1, if more
   std::vector<double> by_period_m;  ///< as analysis_m, by building period
-  bool is_of_standard = true;       ///< within its slopes and frictions
   // With a hazard curve.
   double event_m = 0.0;       ///< as analysis_m, at the event
   double smaller_m = 0.0;     ///< sum of the mean displacements of smaller events
@@ -57,7 +56,6 @@ struct ProductDisplacement {
 struct TargetDisplacements {
   bool of_largest = false;  ///< fewer than 7 records: the largest counts in place of the mean
   double factor = 1.1, event_g = 0.0;
-  double least_m = 0.0;  ///< 80 % of what ASCE 7-16 prescribes for I_e = 1
   std::vector<double> slope_deg, mu, period_s;
   std::vector<ProductDisplacement> points;  ///< by (slope, friction), friction fastest
 };

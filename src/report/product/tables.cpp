@@ -78,7 +78,7 @@ std::string note_on_least(const ProductSheet& sheet) {
       outside += fmt::format("{}{:g}", outside.empty() ? "" : ", ", mu);
   return fmt::format(
       "At slopes of {:.3g} degrees or less and friction of {:g} or more: not below 80 % of the "
-      "value that ASCE 7-16, 13.6.12, prescribes, which a peer review may allow.{}",
+      "value that ASCE 7-16, 13.6.12, prescribes; less only after a peer review.{}",
       slope_limit_deg(Standard::asce7_16), friction_limit(Standard::asce7_16),
       outside.empty() ? ""
                       : " Friction " + outside +

@@ -120,7 +120,7 @@ TEST(hazard_report, draws_the_distribution_over_the_design_life) {
   const Figure figure = figure_named(make_figures(made_up_hazard()), "design_life");
   ASSERT_EQ(figure.panels.size(), 1u);
   ASSERT_EQ(figure.panels[0].series.size(), 3u);
-  std::set<int> dashes;  // lines that coincide are told apart by them
+  std::set<int> dashes;  // by which lines that coincide differ
   for (const DataSeries& line : figure.panels[0].series) {
     EXPECT_TRUE(std::ranges::is_sorted(line.y, std::greater<>()));
     dashes.insert(line.look.dash);
