@@ -134,7 +134,7 @@ Table fragility_table(const FragilityError& m) {
                {"median_rms_error", "", "Error of median", ColumnKind::number, "", true},
                {"log_std_rms_error", "", "Error of log_std", ColumnKind::number, "", true}},
               {}};
-  const auto cell = [](const RmsError& e) { return SignedEstimate({e.rms, {e.low, e.high}}); };
+  const auto cell = [](const RmsError& e) { return NumberCell({e.rms, {e.low, e.high}}); };
   for (const FragilityErrorRow& row : m.rows) {
     table.add({row.estimator.name(), std::ldexp(1.0, row.log2_samples), row.histories,
                row.histories_s, row.fit_s, static_cast<double>(row.fitted), cell(row.median),
@@ -189,7 +189,7 @@ bool is_complete(const Table& table) {
   return !table.rows.empty() && std::ranges::all_of(table.rows, [](const std::vector<Cell>& row) {
     return std::ranges::all_of(row, [](const Cell& cell) {
       if (const auto* value = std::get_if<double>(&cell)) return std::isfinite(*value);
-      if (const auto* e = std::get_if<SignedEstimate>(&cell))
+      if (const auto* e = std::get_if<NumberCell>(&cell))
         return std::isfinite(e->value) && std::isfinite(e->interval.low) &&
                std::isfinite(e->interval.high);
       return true;

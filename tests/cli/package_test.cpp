@@ -488,7 +488,8 @@ TEST_F(Package, workbook_has_the_numbers_of_the_tables) {
   const std::string text = text_of_workbook(out() / "package.xlsx");
   if (text.empty()) GTEST_SKIP() << "libxlsxwriter or Python is not installed (packages.txt)";
   for (const char* part :
-       {"name=\"record_displacements\"", "<v>23.27</v>", "0.0&quot; in&quot;", "Provisions used"})
+       {"name=\"record_displacements\"", "<v>23.27</v>", "0.0&quot; in&quot;", "Provisions used",
+        "60 (S_DS - 0.4)^2 in, categories D to F"})
     EXPECT_THAT(text, testing::HasSubstr(part));
 }
 

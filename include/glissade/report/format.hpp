@@ -55,7 +55,7 @@ std::string format_interval(const Interval& interval);
 /// "p = 0.12"; "p <= 0.005" of the least that a goodness of fit can have.
 std::string format_p(double p_value);
 /// The same as a cell of a table: "0.12", "<= 0.005".
-SignedEstimate p_cell(double p_value);
+NumberCell p_cell(double p_value);
 
 /// "SEAOC PV1-2012", "ASCE 7-16".
 std::string standard_name(Standard standard);

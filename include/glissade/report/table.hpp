@@ -39,14 +39,30 @@ struct Column {
 /// A column of text.
 Column text_column(std::string stem, std::string heading, std::string description = "");
 
-/// For people with a sign before the value: "> " of a lower bound, "< " of an upper one.
-struct SignedEstimate : Estimate {
-  SignedEstimate(const Estimate& estimate, std::string sign_text = "")
-      : Estimate(estimate), sign(std::move(sign_text)) {}
-  std::string sign;
+/// How many digits people read.
+struct Digits {
+  int count = -1;                ///< below 0: as the column states
+  bool are_significant = false;  ///< or decimals
 };
 
-using Cell = std::variant<double, std::string, SignedEstimate>;
+/// A number with what belongs to it. Unit and digits are of those in a column of text; in another
+/// the column has them.
+struct NumberCell : Estimate {
+  NumberCell(const Estimate& estimate, std::string sign_text = "")
+      : Estimate(estimate), sign(std::move(sign_text)) {}
+  std::string sign;  ///< before the value: "> " of a lower bound, "< " of an upper one
+  Digits digits;
+  std::string unit;    ///< "in"
+  std::string beside;  ///< after the unit: " (0.318 m)"
+};
+/// "12.50 in": with so many decimals.
+NumberCell fixed(double value, int decimals, std::string unit = "");
+/// "12.5 in": with so many significant digits at most.
+NumberCell significant(double value, int digits, std::string unit = "");
+/// Of one with its own digits; "-" for what is not finite.
+std::string text_of(const NumberCell& quantity);
+
+using Cell = std::variant<double, std::string, NumberCell>;
 
 /// A small table: made once, shown as CSV, on a terminal, in HTML and in results.h5.
 struct Table {
@@ -57,8 +73,8 @@ struct Table {
   std::vector<std::string> notes;  ///< how to read it: a line each, below the title
   bool is_of_inputs = false;       ///< or of histories, which results.h5 has in groups of their own
 
-  /// Adds a row. Expects one cell per column: no number in a column of text, no interval in a
-  /// column without.
+  /// Adds a row. Expects one cell per column: in a column of text a number with its own digits
+  /// only, no interval in a column without.
   void add(std::vector<Cell> row);
   /// The same table without a column.
   Table without(const std::string& stem) const;

@@ -68,7 +68,7 @@ class InputRows {
                {text_column("quantity", "Quantity"), text_column("value", "Value"),
                 text_column("source", "Source")},
                {}} {}
-  void add(const std::string& quantity, const std::string& value, const std::string& source) {
+  void add(const std::string& quantity, const Cell& value, const std::string& source) {
     table_.add({quantity, value, source});
   }
   /// Nothing where it is not stated.
@@ -76,7 +76,7 @@ class InputRows {
     if (!value.empty()) add(quantity, value, project_file);
   }
   void add_length(const char* quantity, const std::optional<double>& length_m) {
-    add(quantity, length_m ? length_in_both(*length_m) : "not stated", project_file);
+    add(quantity, length_m ? Cell(length_cell_in_both(*length_m)) : "not stated", project_file);
   }
   Table table() && { return std::move(table_); }
 
@@ -85,6 +85,24 @@ class InputRows {
  private:
   Table table_;
 };
+
+/// "35 ft (10.67 m)", or "10.67 m".
+NumberCell height_cell(double height_m) {
+  if (!in_inches()) return significant(height_m, 4, "m");
+  NumberCell height = significant(height_m / foot_m, 4, "ft");
+  height.beside = " (" + text_of(significant(height_m, 4, "m")) + ")";
+  return height;
+}
+
+/// One value, or the first and the last: "1.19 degrees", "1.19 to 2.39 degrees".
+Cell range_cell(const std::vector<double>& values, const std::string& unit,
+                const std::string& beside = "") {
+  if (values.size() > 1)
+    return range_text(values, (unit.empty() ? "" : " " + unit).c_str()) + beside;
+  NumberCell value = significant(values.front(), 3, unit);
+  value.beside = beside;
+  return value;
+}
 
 const char* verdict_of(const std::optional<bool>& is_met) {
   return !is_met ? "not stated" : *is_met ? "met" : "NOT MET";
@@ -124,9 +142,9 @@ Table criteria_table(const CalculationPackage& package) {
   const DesignTarget& target = project.site.target;
   const std::string edition = edition_name(target.edition);
   InputRows rows("site", "Design criteria");
-  const auto in_g = [](double value_g) { return fmt::format("{:.3f} g", value_g); };
+  const auto in_g = [](double value_g) { return fixed(value_g, 3, "g"); };
   rows.add("Risk category", to_string(project.site.risk), InputRows::project_file);
-  rows.add("I_e", fmt::format("{:g}", project.importance),
+  rows.add("I_e", significant(project.importance, 6),
            project.importance == importance_factor(project.site.risk) ? edition + ", table 1.5-2"
                                                                       : InputRows::project_file);
   if (target.is_mapped()) {
@@ -142,12 +160,12 @@ Table criteria_table(const CalculationPackage& package) {
   }
   if (site.fa > 0.0) {
     const bool is_default = target.site_classes == std::vector{SiteClass::unknown};
-    rows.add("F_a", fmt::format("{:.3f}", site.fa),
+    rows.add("F_a", fixed(site.fa, 3),
              edition + ", table 11.4-1" +
                  (!is_default                               ? ""
                   : target.edition == AsceEdition::asce7_16 ? ", class D, and 1.2 or more"
                                                             : ", class D"));
-    rows.add("F_v", fmt::format("{:.3f}", site.fv),
+    rows.add("F_v", fixed(site.fv, 3),
              edition + ", table 11.4-2" + (is_default ? ", class D" : ""));
   }
   const bool points = !target.period_s.empty();
@@ -161,16 +179,16 @@ Table criteria_table(const CalculationPackage& package) {
            points               ? "largest S_a T of its points, 1 to 5 s (21.4)"
            : target.is_mapped() ? "2/3 S_M1"
                                 : "as given");
-  rows.add("T_S", fmt::format("{:.3f} s", site.sd1_g / site.sds_g), "S_D1 / S_DS");
+  rows.add("T_S", fixed(site.sd1_g / site.sds_g, 3, "s"), "S_D1 / S_DS");
   if (!points && !project.of_roof)
-    rows.add("T_L", fmt::format("{:g} s", target.tl_s),
+    rows.add("T_L", significant(target.tl_s, 6, "s"),
              project.site.states_tl ? InputRows::project_file : "NOT STATED: assumed");
   rows.add("Seismic design category",
            category_text(project.site, site) +
                (target.is_mapped() || project.site.mapped ? "" : " (S_1 is not stated)"),
            edition + ", 11.6");
   const Prescription& prescribed = of_standard(project, package.design).prescribed;
-  rows.add(displacement_symbol, length_in_both(prescribed.value_m),
+  rows.add(displacement_symbol, length_cell_in_both(prescribed.value_m),
            prescribed.basis + ": the prescribed displacement");
   return std::move(rows).table();
 }
@@ -184,17 +202,13 @@ Table building_table(const CalculationPackage& package) {
   } else {
     rows.add_stated("Structural system", building.system);
     if (building.height_m)
-      rows.add("Height h",
-               in_inches() ? fmt::format("{:.4g} ft ({:.4g} m)", *building.height_m / foot_m,
-                                         *building.height_m)
-                           : fmt::format("{:.4g} m", *building.height_m),
-               InputRows::project_file);
+      rows.add("Height h", height_cell(*building.height_m), InputRows::project_file);
   }
-  rows.add("Storeys", building.storeys ? fmt::format("{:g}", *building.storeys) : "not stated",
+  rows.add("Storeys", building.storeys ? Cell(significant(*building.storeys, 6)) : "not stated",
            InputRows::project_file);
   if (p.of_roof) return std::move(rows).table();
   if (building.approximate_period_s)
-    rows.add("T_a", fmt::format("{:.3f} s", *building.approximate_period_s), building.period_basis);
+    rows.add("T_a", fixed(*building.approximate_period_s, 3, "s"), building.period_basis);
   rows.add("Periods computed", fmt::format("{:.3g} s", fmt::join(building.period_s, ", ")),
            building.approximate_period_s ? building.bounds_text : building.period_basis);
   rows.add("Model",
@@ -203,7 +217,7 @@ Table building_table(const CalculationPackage& package) {
                : "modes of a uniform cantilever of flexure and shear, \u03b1_0 " +
                      range_text(building.alpha, ""),
            building.model_basis);
-  rows.add("Damping", fmt::format("{:g} %", 100.0 * building.damping), InputRows::project_file);
+  rows.add("Damping", significant(100.0 * building.damping, 6, "%"), InputRows::project_file);
   return std::move(rows).table();
 }
 
@@ -215,19 +229,18 @@ Table array_table(const CalculationPackage& package) {
   rows.add_stated("Roof membrane", p.array.membrane);
   if (!p.of_roof)
     rows.add("Mass over that of the building",
-             p.building.alpha.empty() ? range_text(p.building.mass_ratio, "") : "neglected",
+             p.building.alpha.empty() ? range_cell(p.building.mass_ratio, "") : "neglected",
              p.building.mass_basis);
   std::vector<double> rises;
   for (const double slope_deg : p.slope_deg)
     rises.push_back(12.0 * std::tan(slope_deg * rad_per_deg));
   rows.add("Roof slope",
-           fmt::format("{} (rise in 12: {})", range_text(p.slope_deg, " degrees"),
-                       range_text(rises, "")),
+           range_cell(p.slope_deg, "degrees", " (rise in 12: " + range_text(rises, "") + ")"),
            InputRows::project_file);
   rows.add_length("Centre of mass above the roof", p.array.centre_of_mass_m);
   rows.add_length("Least spacing of the supports", p.array.support_spacing_m);
   rows.add("Strength across any section over the weight of its lighter side",
-           p.array.interconnection ? fmt::format("{:.3g}", *p.array.interconnection) : "not stated",
+           p.array.interconnection ? Cell(significant(*p.array.interconnection, 3)) : "not stated",
            InputRows::project_file);
   return std::move(rows).table();
 }
@@ -239,13 +252,13 @@ Table friction_table(const CalculationPackage& package) {
   rows.add_stated("Tests of", mu.tested_on);
   rows.add_stated("Test standard", mu.test_standard);
   rows.add_stated("Surface", mu.surface);
-  rows.add("Tests", mu.tests ? fmt::format("{}", *mu.tests) : "not stated", mu.source);
-  rows.add("\u03bc, mean", fmt::format("{:.3f}", mu.mean), "of the tests");
-  rows.add("standard deviation", fmt::format("{:.3f}", mu.std), "of the tests (n - 1)");
-  rows.add("\u03bc, design", fmt::format("{:.3f}", mu.design()),
-           "mean - 2 std (Walters et al. 2012)");
+  rows.add("Tests", mu.tests ? Cell(fixed(static_cast<double>(*mu.tests), 0)) : "not stated",
+           mu.source);
+  rows.add("\u03bc, mean", fixed(mu.mean, 3), "of the tests");
+  rows.add("standard deviation", fixed(mu.std, 3), "of the tests (n - 1)");
+  rows.add("\u03bc, design", fixed(mu.design(), 3), "mean - 2 std (Walters et al. 2012)");
   if (mu.lower_bound)
-    rows.add(bound_name(mu), fmt::format("{:.3f}", *mu.lower_bound),
+    rows.add(bound_name(mu), fixed(*mu.lower_bound, 3),
              "with 95 % confidence, 97.7 % of pulls have more (normal friction, this number of "
              "tests)");
   return std::move(rows).table();
@@ -259,14 +272,12 @@ Table pull_tests_table(const ProjectFriction& friction) {
                text_column("speed", "Speed, mm/s")},
               {}};
   for (const TraceFriction& t : friction.traces)
-    table.add(
-        {t.direction, t.test + (!meets_provision(t) ? " *" : ""),
-         fmt::format("{:.3f}", t.sliding_mu), length_in(t.travel_m),
-         std::isfinite(t.speed_mps) ? fmt::format("{:.3g}", 1e3 * t.speed_mps) : std::string("-")});
+    table.add({t.direction, t.test + (!meets_provision(t) ? " *" : ""), fixed(t.sliding_mu, 3),
+               length_cell(t.travel_m), significant(1e3 * t.speed_mps, 3)});
   if (friction.traces.empty())
     for (const DirectionFriction& d : friction.tested)
       for (std::size_t i = 0; i < d.sliding_mu.size(); ++i)
-        table.add({d.direction, fmt::format("{}", i + 1), fmt::format("{:.3f}", d.sliding_mu[i]),
+        table.add({d.direction, fmt::format("{}", i + 1), fixed(d.sliding_mu[i], 3),
                    std::string("-"), std::string("-")});
   for (const DirectionFriction& d : friction.tested)
     table.notes.push_back(fmt::format("{}{}: mean {:.3f}, std {:.3f}, mean - 2 std {:.3f}.",
@@ -287,9 +298,8 @@ Table spectrum_table(const Project& project) {
                text_column("mce", "MCE_R S_a, g")},
               {}};
   for (std::size_t i = 0; i < target.period_s.size(); ++i)
-    table.add({fmt::format("{:g}", target.period_s[i]),
-               fmt::format("{:.4g}", target.design_sa_g[i]),
-               fmt::format("{:.4g}", mce_over_dbe * target.design_sa_g[i])});
+    table.add({significant(target.period_s[i], 6), significant(target.design_sa_g[i], 4),
+               significant(mce_over_dbe * target.design_sa_g[i], 4)});
   return table;
 }
 
@@ -300,7 +310,7 @@ Table hazard_curve_table(const ProjectHazard& hazard) {
               {text_column("sds", "S_DS, g"), text_column("rate", "Annual rate")},
               {}};
   for (const HazardPoint& point : hazard.points)
-    table.add({fmt::format("{:.4g}", point.intensity), fmt::format("{:.4g}", point.annual_rate)});
+    table.add({significant(point.intensity, 4), significant(point.annual_rate, 4)});
   return table;
 }
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "glissade/core/finite.hpp"
 #include "glissade/core/units.hpp"
 #include "package/tables.hpp"
 #include "package/units.hpp"
@@ -16,7 +17,8 @@ namespace {
 const Column number_column = {"number", "", "No.", ColumnKind::count};
 double number_after(const Table& table) { return static_cast<double>(table.rows.size() + 1); }
 
-std::string not_given(double value, const std::string& text) { return value > 0.0 ? text : "-"; }
+/// "-" of none.
+NumberCell given(double value, int decimals) { return fixed(value > 0.0 ? value : nan, decimals); }
 
 /// "730" of a component "walters/gukasian_RSN730/RSN730_SPITAK_GUK000.AT2": the record sequence
 /// number of NGA-West2; else that of the id "rsn730", else "-".
@@ -61,10 +63,8 @@ Table motions_table(const std::vector<RecordSummary>& records,
   for (const RecordSummary& r : records) {
     const std::string rsn = rsn_of(files, r.id);
     has_rsn = has_rsn || rsn != "-";
-    table.add({number_after(table), r.id, rsn, r.event, r.station,
-               not_given(r.magnitude, fmt::format("{:.1f}", r.magnitude)),
-               not_given(r.distance_km, fmt::format("{:.1f}", r.distance_km)),
-               not_given(r.vs30_mps, fmt::format("{:.0f}", r.vs30_mps))});
+    table.add({number_after(table), r.id, rsn, r.event, r.station, given(r.magnitude, 1),
+               given(r.distance_km, 1), given(r.vs30_mps, 0)});
   }
   for (std::string& note : processing_notes(records)) table.notes.push_back(std::move(note));
   return has_rsn ? table : table.without("rsn");
@@ -87,16 +87,16 @@ Table scaled_motions_table(const CalculationPackage& package) {
        text_column("duration", "D5-95, s"), text_column("suite_scale", "Scale of the suite"),
        text_column("factor", "Factor to DBE")},
       {}};
+  const auto of_motion = [](double metric) {
+    return in_inches() ? fixed(metric / inch_m, 1) : fixed(metric, 3);
+  };
   for (std::size_t i = 0; i < package.demand.records.size(); ++i) {
     const RecordSummary& r = package.demand.records[i];
-    table.add(
-        {number_after(table), r.id, fmt::format("{:.3f}", r.pga_g),
-         in_inches() ? fmt::format("{:.1f}", r.pgv_mps / inch_m) : fmt::format("{:.3f}", r.pgv_mps),
-         in_inches() ? fmt::format("{:.1f}", r.pgd_m / inch_m) : fmt::format("{:.3f}", r.pgd_m),
-         fmt::format("{:.3g}", r.dt_s),
-         fmt::format("{:.0f}", r.dt_s * static_cast<double>(r.samples - 1)),
-         fmt::format("{:.1f}", r.duration_s), fmt::format("{:.3g}", r.suite_scale),
-         fmt::format("{:.3f}", r.factor_at_unit_level * dbe_level(package.project))});
+    table.add({number_after(table), r.id, fixed(r.pga_g, 3), of_motion(r.pgv_mps),
+               of_motion(r.pgd_m), significant(r.dt_s, 3),
+               fixed(r.dt_s * static_cast<double>(r.samples - 1), 0), fixed(r.duration_s, 1),
+               significant(r.suite_scale, 3),
+               fixed(r.factor_at_unit_level * dbe_level(package.project), 3)});
   }
   const std::vector<RecordSummary>& records = package.demand.records;
   const bool same_scale = std::ranges::all_of(records, [&](const RecordSummary& r) {
@@ -138,9 +138,9 @@ Table record_spectra_table(const CalculationPackage& package) {
       const auto right =
           std::max<std::ptrdiff_t>(1, std::ranges::lower_bound(grid_s, period_s) - grid_s.begin());
       const double part = (period_s - grid_s[right - 1]) / (grid_s[right] - grid_s[right - 1]);
-      row.emplace_back(fmt::format("{:.3f}", std::lerp(sa_g[right - 1], sa_g[right], part) *
-                                                 package.design.site.sds_g /
-                                                 spectra.reference_level));
+      row.emplace_back(fixed(std::lerp(sa_g[right - 1], sa_g[right], part) *
+                                 package.design.site.sds_g / spectra.reference_level,
+                             3));
     }
     table.add(row);
   };

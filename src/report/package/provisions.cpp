@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <fmt/format.h>
-
 #include "glissade/core/units.hpp"
 #include "glissade/motion/improbable.hpp"
 #include "glissade/motion/suite_scaling.hpp"
@@ -19,7 +17,7 @@ class ProvisionRows {
   /// @param public_document its number in the references; "" where none is known
   void add(const std::string& clause, const std::string& value, Section where,
            const char* public_document = "") {
-    table_.add({clause, value, fmt::format("{}", number_of(where)), std::string(public_document),
+    table_.add({clause, value, fixed(number_of(where), 0), std::string(public_document),
                 std::string("\u2610")});
   }
 

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "glissade/report/site_sheets.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 
 #include "glissade/core/file.hpp"
@@ -32,9 +30,9 @@ Table sites_table(const SiteSheets& sheets) {
       {"Friction: mean - 2 std. Verdict: on the clearances that are stated; open: see the "
        "page of the site."}};
   for (const SiteSheet& site : sheets.sites)
-    table.add({site.name, fmt::format("{:.3f} g", site.sds_g), fmt::format("{:.3f} g", site.sd1_g),
-               fmt::format("{:.3f}", site.friction), length_in(site.governing_m),
-               length_in(site.largest_required_m), site.verdict, site.folder});
+    table.add({site.name, fixed(site.sds_g, 3, "g"), fixed(site.sd1_g, 3, "g"),
+               fixed(site.friction, 3), length_cell(site.governing_m),
+               length_cell(site.largest_required_m), site.verdict, site.folder});
   return table;
 }
 

@@ -10,6 +10,7 @@
 #include <tuple>
 
 #include "analysis/hazard/hazard.hpp"
+#include "glissade/core/finite.hpp"
 #include "glissade/core/units.hpp"
 #include "glissade/design/of_project.hpp"
 #include "glissade/fragility/hazard.hpp"
@@ -25,18 +26,17 @@ namespace {
 constexpr const char* approval_sentence =
     "Outside its conditions an unanchored array requires the approval of the authority.";
 
-/// "12.7 in (1.06 ft)", or "0.322 m".
-std::string prescribed_separation(double length_m) {
-  return in_inches() ? fmt::format("{} ({})", length_in(length_m), separation_in(length_m))
-                     : length_in(length_m);
-}
-
 /// Of a required separation, rounded up: "1.38".
-std::string required_ft(double length_m) {
-  return fmt::format("{:.2f}", rounded_up(length_m / foot_m, 0.01));
+NumberCell required_ft(double length_m) { return fixed(rounded_up(length_m / foot_m, 0.01), 2); }
+
+/// "12.7 in (1.06 ft)", or "0.322 m".
+NumberCell with_feet(double length_m, const NumberCell& feet) {
+  NumberCell length = length_cell(length_m);
+  if (in_inches()) length.beside = " (" + text_of(feet) + " ft)";
+  return length;
 }
 
-Cell cell_of(const ExceedanceAt& e) { return SignedEstimate{{e.probability, e.interval}}; }
+Cell cell_of(const ExceedanceAt& e) { return NumberCell{{e.probability, e.interval}}; }
 
 /// Of probabilities with their intervals.
 Column share_column(const char* stem, const std::string& heading) {
@@ -161,8 +161,8 @@ Table demand_table(const CalculationPackage& package) {
        text_column("orientation", "Governing orientation")},
       {}};
   for (const PeriodDemand& d : package.design.demand) {
-    table.add({fmt::format("{:.3g} s", d.period_s), length_in(d.mean_m), length_in(d.p84_m),
-               length_in(d.p95_m), length_in(d.largest_m), length_in(d.median_orientation_m),
+    table.add({significant(d.period_s, 3, "s"), length_cell(d.mean_m), length_cell(d.p84_m),
+               length_cell(d.p95_m), length_cell(d.largest_m), length_cell(d.median_orientation_m),
                d.orientation});
   }
   table.notes.push_back(std::string("Mean and percentiles: over the records, all in the governing "
@@ -188,13 +188,13 @@ Table record_displacements_table(const CalculationPackage& package) {
                text_column("displacement", in_inches() ? "Displacement, in" : "Displacement, m")},
               {}};
   const auto length = [](double length_m) {
-    return in_inches() ? fmt::format("{:.2f}", length_m / inch_m) : fmt::format("{:.4f}", length_m);
+    return in_inches() ? fixed(length_m / inch_m, 2) : fixed(length_m, 4);
   };
   double sum_m = 0.0;
   for (std::size_t i = 0; i < design.by_record_m.size(); ++i) {
     const RecordSummary& r = package.demand.records[i];
     table.add({static_cast<double>(i + 1), r.id,
-               fmt::format("{:.3f}", r.factor_at_unit_level * dbe_level(package.project)),
+               fixed(r.factor_at_unit_level * dbe_level(package.project), 3),
                length(design.by_record_m[i])});
     sum_m += design.by_record_m[i];
   }
@@ -240,10 +240,10 @@ Table by_hand_table(const CalculationPackage& package) {
     const double required_m =
         std::ranges::find(package.design.separations, i, &ProjectSeparation::kind)
             ->required.value_m;
-    table.add({prescribed[i].what, fmt::format("{:.1f}", prescribed[i].factor),
-               prescribed_separation(prescribed[i].value_m),
-               length_in(required_m) + (in_inches() ? " (" + required_ft(required_m) + " ft)" : ""),
-               fmt::format("{:.2f}", required_m / prescribed[i].value_m)});
+    table.add({prescribed[i].what, fixed(prescribed[i].factor, 1),
+               with_feet(prescribed[i].value_m, fixed(prescribed[i].value_m / foot_m, 2)),
+               with_feet(required_m, required_ft(required_m)),
+               fixed(required_m / prescribed[i].value_m, 2)});
   }
   return table;
 }
@@ -259,7 +259,7 @@ Table prescribed_table(const CalculationPackage& package) {
     const std::string not_met = value.not_met();
     table.add({standard_name(value.standard) +
                    (value.standard == package.project.standard ? " (of the project)" : ""),
-               length_in_both(value.prescribed.value_m),
+               length_cell_in_both(value.prescribed.value_m),
                not_met.empty() ? "met" : "NOT MET or not stated: " + not_met,
                length_in(value.floor_share * value.prescribed.value_m) + ", " + value.floor_basis,
                value.prescribed.basis});
@@ -287,15 +287,14 @@ Table separations_table(const CalculationPackage& package) {
       {}};
   for (const ProjectSeparation& s : design.separations) {
     const bool known = s.available_m.has_value();
-    table.add(
-        {separation_letter(table.rows.size()), s.text(), fmt::format("{:.1f}", s.required.factor),
-         length_in_both(s.required.value_m), required_ft(s.required.value_m),
-         known ? length_in_both(*s.available_m) : "not stated",
-         std::string(!known ? "-"
-                     : *s.available_m < s.required.value_m
-                         ? "NOT SUFFICIENT: " + length_in(s.required.value_m - *s.available_m) +
-                               " short"
-                         : verdict_where_wide_enough(package))});
+    table.add({separation_letter(table.rows.size()), s.text(), fixed(s.required.factor, 1),
+               length_cell_in_both(s.required.value_m), required_ft(s.required.value_m),
+               known ? Cell(length_cell_in_both(*s.available_m)) : "not stated",
+               std::string(!known ? "-"
+                           : *s.available_m < s.required.value_m
+                               ? "NOT SUFFICIENT: " +
+                                     length_in(s.required.value_m - *s.available_m) + " short"
+                               : verdict_where_wide_enough(package))});
   }
   const Standard standard = package.project.standard;
   for (const Separation& s : separations_of(standard, design.governing_m)) {
@@ -317,8 +316,8 @@ Table sensitivity_table(const CalculationPackage& package) {
               {}};
   for (const Sensitivity& row : package.design.sensitivity) {
     table.add({row.what, row.value + (row.is_governing ? " *" : ""),
-               length_in_both(row.clearance_m),
-               fmt::format("{:.2f}", row.clearance_m / package.design.analysis_m)});
+               length_cell_in_both(row.clearance_m),
+               fixed(row.clearance_m / package.design.analysis_m, 2)});
   }
   table.notes.push_back("*: as in the governing case.");
   const ProjectFriction& mu = package.project.friction;
@@ -349,7 +348,7 @@ Table exceedance_table(const CalculationPackage& package) {
   const std::vector<ExceedanceAt>& dbe_then_mce = package.design.exceedance;
   const std::size_t periods = dbe_then_mce.size() / 2;
   for (std::size_t p = 0; p < periods; ++p)
-    table.add({fmt::format("{:.3g} s", dbe_then_mce[p].period_s), cell_of(dbe_then_mce[p]),
+    table.add({significant(dbe_then_mce[p].period_s, 3, "s"), cell_of(dbe_then_mce[p]),
                cell_of(dbe_then_mce[periods + p])});
   table.notes.push_back(fmt::format(
       "The probability is the observed share of the histories, without a fitted curve. {} drawn "
@@ -398,8 +397,8 @@ Table compared_table(const CalculationPackage& package) {
     std::vector<Cell> cells{what, cell_of(row.dbe), cell_of(row.mce)};
     if (has_rate) {
       const char* sign = sign_of(*row.rate);
-      cells.emplace_back(SignedEstimate{row.rate->annual_rate, sign});
-      cells.emplace_back(SignedEstimate{row.rate->life_probability, sign});
+      cells.emplace_back(NumberCell{row.rate->annual_rate, sign});
+      cells.emplace_back(NumberCell{row.rate->life_probability, sign});
     }
     table.add(std::move(cells));
   }
@@ -428,11 +427,9 @@ Table roof_accelerations_table(const CalculationPackage& package) {
               {}};
   const auto& [of_roof, building] = std::tie(package.project.of_roof, package.project.building);
   for (const RoofPeak& roof : package.design.roof)
-    table.add({fmt::format("{:.3g} s", roof.period_s), fmt::format("{:.3g}", roof.alpha),
-               fmt::format("{:.3f}", roof.median_g), fmt::format("{:.3f}", roof.p84_g),
-               fmt::format("{:.3f}", roof.asce7_16_g),
-               roof.asce7_22_g ? fmt::format("{:.3f}", *roof.asce7_22_g) : std::string("-"),
-               fmt::format("{:.2f}", roof.over_standards())});
+    table.add({significant(roof.period_s, 3, "s"), significant(roof.alpha, 3),
+               fixed(roof.median_g, 3), fixed(roof.p84_g, 3), fixed(roof.asce7_16_g, 3),
+               fixed(roof.asce7_22_g.value_or(nan), 3), fixed(roof.over_standards(), 2)});
   table.notes.push_back(fmt::format(
       "Computed: over {} records, of each the geometric mean of both horizontal axes{}. ASCE 7-16: "
       "0.4 S_DS (1 + 2 z/h) with z/h = 1.",

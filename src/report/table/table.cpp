@@ -44,7 +44,7 @@ std::string number_text(ColumnKind kind, double value, int decimals = -1) {
   return decimals < 0 ? format_number(value) : fmt::format("{:.{}f}", value, decimals);
 }
 
-std::string estimate_text(ColumnKind kind, const SignedEstimate& estimate) {
+std::string estimate_text(ColumnKind kind, const NumberCell& estimate) {
   if (!std::isfinite(estimate.value)) return "-";
   std::string value = estimate.sign + number_text(kind, estimate.value);
   if (std::isnan(estimate.interval.low) || std::isnan(estimate.interval.high)) return value;
@@ -107,8 +107,8 @@ std::string csv_header(const Column& column) {
 /// As wide as the column's header, whatever the cell.
 std::string csv_cell(const Column& column, const Cell& cell) {
   const auto [value, interval] = estimate_of(cell);
-  const auto* text = std::get_if<std::string>(&cell);
-  const std::string csv = text != nullptr ? csv_field(*text) : format_exact(value);
+  const bool is_text = column.kind == ColumnKind::text || std::holds_alternative<std::string>(cell);
+  const std::string csv = is_text ? csv_field(cell_text(column, cell)) : format_exact(value);
   if (!column.with_interval) return csv;
   return csv + "," + format_exact(interval.low) + "," + format_exact(interval.high);
 }
@@ -121,14 +121,14 @@ std::string unit_text(const std::string& unit) {
   return unit.empty() ? "-" : unit;
 }
 
-/// A text may stand anywhere ("-"); a number only in a column of numbers, and an interval only in
-/// one that has them.
+/// A text may stand anywhere ("-"); a number without digits of its own only in a column of numbers,
+/// and an interval only in one that has them.
 [[maybe_unused]] bool belongs_in(const Column& column, const Cell& cell) {
   if (std::holds_alternative<std::string>(cell)) return true;
-  const auto* estimate = std::get_if<SignedEstimate>(&cell);
-  const bool no_interval = estimate == nullptr || (std::isnan(estimate->interval.low) &&
-                                                   std::isnan(estimate->interval.high));
-  return column.kind != ColumnKind::text && (no_interval || column.with_interval);
+  const auto* quantity = std::get_if<NumberCell>(&cell);
+  if (column.kind == ColumnKind::text) return quantity != nullptr && quantity->digits.count >= 0;
+  return column.with_interval || quantity == nullptr ||
+         (std::isnan(quantity->interval.low) && std::isnan(quantity->interval.high));
 }
 
 std::string padded(const std::string& text, std::size_t width, ColumnKind kind) {
@@ -149,8 +149,30 @@ std::vector<std::string> file_names(const Column& column) {
 
 Estimate estimate_of(const Cell& cell) {
   if (const auto* number = std::get_if<double>(&cell)) return {*number, {}};
-  if (const auto* estimate = std::get_if<SignedEstimate>(&cell)) return *estimate;
+  if (const auto* quantity = std::get_if<NumberCell>(&cell)) return *quantity;
   return {std::numeric_limits<double>::quiet_NaN(), {}};
+}
+
+NumberCell fixed(double value, int decimals, std::string unit) {
+  NumberCell quantity(Estimate{value, {}});
+  quantity.digits = {decimals, /*are_significant=*/false};
+  quantity.unit = std::move(unit);
+  return quantity;
+}
+
+NumberCell significant(double value, int digits, std::string unit) {
+  NumberCell quantity = fixed(value, digits, std::move(unit));
+  quantity.digits.are_significant = true;
+  return quantity;
+}
+
+std::string text_of(const NumberCell& quantity) {
+  if (!std::isfinite(quantity.value)) return "-";
+  const auto& [count, are_significant] = quantity.digits;
+  return quantity.sign +
+         (are_significant ? fmt::format("{:.{}g}", quantity.value, count)
+                          : fmt::format("{:.{}f}", quantity.value, count)) +
+         (quantity.unit.empty() ? "" : " " + quantity.unit) + quantity.beside;
 }
 
 Column text_column(std::string stem, std::string heading, std::string description) {
@@ -192,7 +214,8 @@ std::string cell_text(const Column& column, const Cell& cell) {
   if (const auto* text = std::get_if<std::string>(&cell)) return *text;
   if (const auto* number = std::get_if<double>(&cell))
     return number_text(column.kind, *number, column.decimals);
-  return estimate_text(column.kind, std::get<SignedEstimate>(cell));
+  const NumberCell& quantity = std::get<NumberCell>(cell);
+  return column.kind == ColumnKind::text ? text_of(quantity) : estimate_text(column.kind, quantity);
 }
 
 std::string to_csv(const Table& table) {
@@ -218,8 +241,7 @@ DataTable data_of(const Table& table) {
     const std::string unit = unit_text(column.unit);
     if (column.kind == ColumnKind::text) {
       std::vector<std::string> texts;
-      for (const std::vector<Cell>& row : table.rows)
-        texts.push_back(std::get<std::string>(row[c]));
+      for (const std::vector<Cell>& row : table.rows) texts.push_back(cell_text(column, row[c]));
       data.columns.push_back({names[0], unit, column.description, std::move(texts)});
       continue;
     }

@@ -104,9 +104,7 @@ std::string format_p(double p_value) {
   return fmt::format("p {} {:.2g}", p_value > least_p_value ? "=" : "<=", p_value);
 }
 
-SignedEstimate p_cell(double p_value) {
-  return {{p_value, {}}, p_value > least_p_value ? "" : "<= "};
-}
+NumberCell p_cell(double p_value) { return {{p_value, {}}, p_value > least_p_value ? "" : "<= "}; }
 
 std::string format_interval(const Interval& interval) {
   if (std::isnan(interval.low) || std::isnan(interval.high)) return "no interval";

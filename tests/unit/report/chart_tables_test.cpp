@@ -37,7 +37,7 @@ std::size_t column_of(const Table& table, const std::string& stem) {
 
 double number(const Table& table, std::size_t row, const std::string& stem) {
   const Cell& cell = table.rows.at(row).at(column_of(table, stem));
-  const auto* estimate = std::get_if<SignedEstimate>(&cell);
+  const auto* estimate = std::get_if<NumberCell>(&cell);
   return estimate ? estimate->value : std::get<double>(cell);
 }
 

@@ -120,7 +120,7 @@ TEST(clearance_report, gives_a_row_for_each_listed_condition_and_the_range_of_al
   const Table table = clearance_table(r);
   ASSERT_EQ(table.rows.size(), 2u);
   EXPECT_EQ(std::get<std::string>(table.rows[1][0]), "building damping 0.05");
-  EXPECT_DOUBLE_EQ(std::get<SignedEstimate>(table.rows[1][3]).value, 5 * inch);
+  EXPECT_DOUBLE_EQ(std::get<NumberCell>(table.rows[1][3]).value, 5 * inch);
   EXPECT_THAT(clearance_sentences(r).back(),
               states(format_length(5.5 * inch) + " (building damping 0.05)",
                      format_length(11 * inch) + " (building damping 0.02)"));
@@ -131,10 +131,10 @@ TEST(clearance_report, the_clearance_is_a_factor_times_the_largest_mean_over_the
   ASSERT_EQ(table.rows.size(), 1u);  // the anchored array has no clearance
   EXPECT_THAT(to_csv(table), states("governing_period_s,lowest_m,median_m,median_low95_m"));
   const auto number = [&](std::size_t i) { return std::get<double>(table.rows[0][i]); };
-  EXPECT_EQ(number(0), 1.0);                                                      // T, s
-  EXPECT_DOUBLE_EQ(number(1), 4 * inch);                                          // lowest
-  EXPECT_DOUBLE_EQ(std::get<SignedEstimate>(table.rows[0][2]).value, 10 * inch);  // 4, 8, 12, 16
-  EXPECT_DOUBLE_EQ(std::get<SignedEstimate>(table.rows[0][3]).value, 16 * inch);
+  EXPECT_EQ(number(0), 1.0);                                                  // T, s
+  EXPECT_DOUBLE_EQ(number(1), 4 * inch);                                      // lowest
+  EXPECT_DOUBLE_EQ(std::get<NumberCell>(table.rows[0][2]).value, 10 * inch);  // 4, 8, 12, 16
+  EXPECT_DOUBLE_EQ(std::get<NumberCell>(table.rows[0][3]).value, 16 * inch);
   EXPECT_DOUBLE_EQ(number(7), 1.1 * 10 * inch);
   EXPECT_DOUBLE_EQ(number(8), 1.1 * 10 * inch);
   EXPECT_DOUBLE_EQ(number(9), 1.1 * 16 * inch);
@@ -332,7 +332,7 @@ TEST(base_shear_report, is_by_condition_and_beside_the_other_supports) {
   ASSERT_EQ(table.rows.size(), 4u);  // support, period
   EXPECT_EQ(std::get<std::string>(table.rows[3][0]), "anchored array");
   EXPECT_EQ(std::get<double>(table.rows[3][1]), 1.0);  // T, s
-  EXPECT_DOUBLE_EQ(std::get<SignedEstimate>(table.rows[0][3]).value, 0.9);
+  EXPECT_DOUBLE_EQ(std::get<NumberCell>(table.rows[0][3]).value, 0.9);
   EXPECT_DOUBLE_EQ(std::get<double>(table.rows[3][7]), 1.0);  // largest
   const std::vector<std::string> sentences = base_shear_sentences(r);
   ASSERT_EQ(sentences.size(), 2u);

@@ -70,7 +70,7 @@ TEST(hazard_report, compares_what_is_prescribed_with_the_displacement_of_1_perce
   ASSERT_TRUE(has_table());
   const Table table = table_of(r, "hazard_standards");
   const double target_m = 0.1 * std::sqrt(1e-3 / rate_of(0.01, 50.0));
-  EXPECT_NEAR(std::get<SignedEstimate>(table.rows[0][7]).value, target_m, 1e-12);
+  EXPECT_NEAR(std::get<NumberCell>(table.rows[0][7]).value, target_m, 1e-12);
   EXPECT_NEAR(std::get<double>(table.rows[0][8]), target_m / 0.5, 1e-12);
   EXPECT_THAT(answer_sentences(r), Contains(states("SEAOC PV1-2012", format_length(0.5), "4.9 %",
                                                    format_length(target_m))));

@@ -49,8 +49,8 @@ TEST(sensitivity_report, has_a_row_for_each_factor) {
   const auto rows = rows_of(r, "sensitivity");
   ASSERT_EQ(rows.size(), 4u);
   EXPECT_EQ(std::get<std::string>(rows[3][3]), "friction");
-  EXPECT_EQ(std::get<SignedEstimate>(rows[3][4]).value, 0.2);
-  EXPECT_EQ(std::get<SignedEstimate>(rows[3][5]).value, 0.25);
+  EXPECT_EQ(std::get<NumberCell>(rows[3][4]).value, 0.2);
+  EXPECT_EQ(std::get<NumberCell>(rows[3][5]).value, 0.25);
   EXPECT_EQ(rows_of(r, "sensitivity_levels").size(), 4u);
   EXPECT_EQ(rows_of(r, "design_friction").size(), 1u);
 }

@@ -108,7 +108,7 @@ TEST(summary, gives_the_probabilities_at_the_design_earthquakes) {
   EXPECT_EQ(table.columns[2].stem, "dbe_probability");
   EXPECT_EQ(table.columns[3].stem, "mce_probability");
   ASSERT_EQ(table.rows.size(), results.runs.size() * results.thresholds_m.size());
-  EXPECT_EQ(std::get<SignedEstimate>(table.rows[1][2]).value,
+  EXPECT_EQ(std::get<NumberCell>(table.rows[1][2]).value,
             results.runs[0].fragilities[1].probability[9]);
   EXPECT_THAT(summary_text(results), states("DBE"));
 }

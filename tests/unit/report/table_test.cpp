@@ -74,7 +74,18 @@ TEST(table, has_annual_rates_in_one_notation) {
 
 TEST(table, says_that_a_one_sided_median_is_a_lower_bound) {
   const Column column{"median", "g", "Median", ColumnKind::number, "", true};
-  EXPECT_EQ(cell_text(column, SignedEstimate({2.0, {}}, "> ")), "> 2.00");
+  EXPECT_EQ(cell_text(column, NumberCell({2.0, {}}, "> ")), "> 2.00");
+}
+
+TEST(table, has_numbers_of_their_own_unit_and_digits_in_a_column_of_text) {
+  Table table{"t", "T", {text_column("value", "Value")}, {}};
+  NumberCell both = fixed(12.5, 1, "in");
+  both.beside = " (0.318 m)";
+  table.add({both});
+  table.add({significant(0.30004, 3, "s")});
+  table.add({fixed(std::nan(""), 3)});
+  EXPECT_EQ(to_csv(table), "# T\nvalue\n12.5 in (0.318 m)\n0.3 s\n-\n");
+  EXPECT_EQ(estimate_of(table.rows[0][0]).value, 12.5);
 }
 
 // A record may be called what a spreadsheet takes for a formula.
@@ -94,7 +105,7 @@ TEST(table, has_the_fields_that_its_columns_declare_whatever_its_cells_hold) {
                {"c", "", "C", ColumnKind::number, "", true},
                {"d", "", "D"}},
               {}};
-  table.add({SignedEstimate({0.5, {}}, "< "), 0.25, std::string("-"), 4.0});
+  table.add({NumberCell({0.5, {}}, "< "), 0.25, std::string("-"), 4.0});
   EXPECT_EQ(to_csv(table), "# T\na,b,b_low95,b_high95,c,c_low95,c_high95,d\n0.5,0.25,,,-,,,4\n");
   EXPECT_THAT(to_text(table), states("< 50 %"));
 }
@@ -114,7 +125,7 @@ TEST(table, loses_just_the_column_it_is_shown_without) {
   const Table rest = small_table().without("who");
   ASSERT_EQ(rest.columns.size(), 1u);
   EXPECT_EQ(rest.columns[0].stem, "slip");
-  EXPECT_EQ(std::get<SignedEstimate>(rest.rows[0][0]).value, 0.254);
+  EXPECT_EQ(std::get<NumberCell>(rest.rows[0][0]).value, 0.254);
 }
 
 TEST(tables, have_as_many_fields_in_every_row_as_in_the_header_and_say_where_they_are_in_plan) {
@@ -154,7 +165,8 @@ TEST(tables, and_figures_page_and_summary_name_the_design_target) {
   for (const Table& table : csv_tables(results)) EXPECT_THAT(table.title, states(target));
   for (const Figure& figure : make_figures(results)) EXPECT_THAT(figure.below, states(target));
   EXPECT_THAT(test::one_line(summary_text(results, {})), states(target));
-  EXPECT_THAT(html_report(results, {}, {}), states("ASCE 7-10, S<sub>S</sub> 1.5 g, S<sub>1</sub> 0.6 g, site class C"));
+  EXPECT_THAT(html_report(results, {}, {}),
+              states("ASCE 7-10, S<sub>S</sub> 1.5 g, S<sub>1</sub> 0.6 g, site class C"));
   results.suites.push_back(results.suites.front());  // one of two suites has another target
   results.suites.back().target = "ASCE 7-16, S_DS 2 g, S_D1 1 g";
   for (const Figure& figure : make_figures(results)) EXPECT_THAT(figure.below, Not(states(target)));
@@ -232,10 +244,10 @@ TEST(fragility_table, leaves_failed_fits_empty_and_the_summary_uses_the_fit_that
   fit = FitSummary{};
   fit.note = "too few";
   const Table table = fragility_table(results);
-  EXPECT_TRUE(std::isnan(std::get<SignedEstimate>(table.rows[1][3]).value));
+  EXPECT_TRUE(std::isnan(std::get<NumberCell>(table.rows[1][3]).value));
   EXPECT_EQ(cell_text(table.columns[3], table.rows[1][3]), "-");
   const Table summary = fragility_summary_table(results);
-  EXPECT_EQ(std::get<SignedEstimate>(summary.rows[0][2]).value,
+  EXPECT_EQ(std::get<NumberCell>(summary.rows[0][2]).value,
             results.runs[0].fragilities[0].stripes.curve.median);
   EXPECT_EQ(std::get<std::string>(cell_of(summary, 0, "method")), "stripes");
   EXPECT_EQ(std::get<std::string>(cell_of(summary, 1, "method")), "capacities");
@@ -278,10 +290,9 @@ TEST(fragility_tables, show_the_share_that_slides_freely_and_where_half_of_all_e
     const std::size_t row = table.name == "fragility" ? 1 : 0;
     const Cell share = cell_of(table, row, "free_sliding_share");
     EXPECT_EQ(
-        table.name == "fragility" ? std::get<SignedEstimate>(share).value : std::get<double>(share),
+        table.name == "fragility" ? std::get<NumberCell>(share).value : std::get<double>(share),
         0.125);
-    EXPECT_EQ(std::get<SignedEstimate>(cell_of(table, row, "p50")).value,
-              fit.curve.intensity_at(0.5));
+    EXPECT_EQ(std::get<NumberCell>(cell_of(table, row, "p50")).value, fit.curve.intensity_at(0.5));
   }
 }
 

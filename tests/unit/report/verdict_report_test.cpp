@@ -75,7 +75,7 @@ TEST(verdict_report, has_a_row_for_each_kind_of_array_and_one_for_each_value) {
   EXPECT_EQ(std::get<std::string>(kinds[0][4]), "outside");
   EXPECT_EQ(std::get<std::string>(kinds[0][5]), "0.75 to 1");
   EXPECT_EQ(std::get<std::string>(kinds[0][6]), "-");
-  EXPECT_EQ(std::get<SignedEstimate>(kinds[0][7]).value, 0.5);
+  EXPECT_EQ(std::get<NumberCell>(kinds[0][7]).value, 0.5);
   EXPECT_EQ(std::get<std::string>(kinds[1][5]), "-");
   EXPECT_EQ(std::get<std::string>(kinds[1][6]), "0.5 to 1");
 }
@@ -101,8 +101,8 @@ TEST(verdict_report, says_how_probably_two_arrays_close_their_gap_beside_the_fig
   EXPECT_EQ(rows_of(r, "verdict_separations").size(), 18u);
   const auto kinds = rows_of(r, "verdict_separations_summary");
   ASSERT_EQ(kinds.size(), 2u);
-  EXPECT_EQ(std::get<SignedEstimate>(kinds[0][4]).value, 0.375);  // the worse of both gaps
-  EXPECT_EQ(std::get<SignedEstimate>(kinds[0][5]).value, 0.0);
+  EXPECT_EQ(std::get<NumberCell>(kinds[0][4]).value, 0.375);  // the worse of both gaps
+  EXPECT_EQ(std::get<NumberCell>(kinds[0][5]).value, 0.0);
   EXPECT_THAT(answer_sentences(r),
               Contains(states("outside", "close a gap", "2 of 3", "38 % [0 % to 50 %]",
                               "between arrays, across", "0 of 3")));

@@ -19,7 +19,7 @@ std::string measured_by(const Results& results) {
   return " Intensity measure: " + results.intensity_label + ". ";
 }
 
-SignedEstimate median_of(const FitSummary& fit) {
+NumberCell median_of(const FitSummary& fit) {
   const char* sign = fit.status == FitStatus::lower_bound   ? "> "
                      : fit.status == FitStatus::upper_bound ? "< "
                                                             : "";
@@ -27,11 +27,11 @@ SignedEstimate median_of(const FitSummary& fit) {
 }
 
 /// That of a bound is no result.
-SignedEstimate log_std_of(const FitSummary& fit) {
+NumberCell log_std_of(const FitSummary& fit) {
   return {{fit.curve.log_std, fit.log_std_interval}, fit.is_bound() ? "assumed " : ""};
 }
 
-SignedEstimate p50_of(const FitSummary& fit) {
+NumberCell p50_of(const FitSummary& fit) {
   return {{fit.curve.intensity_at(0.5), fit.p50_interval}, median_of(fit).sign};
 }
 

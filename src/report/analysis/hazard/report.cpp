@@ -156,7 +156,7 @@ std::string summary(const Results& results) {
   rate->with_interval = false;
   for (std::vector<Cell>& row : rates.rows) {
     Cell& cell = row[static_cast<std::size_t>(rate - rates.columns.begin())];
-    std::get<SignedEstimate>(cell).interval = {};
+    std::get<NumberCell>(cell).interval = {};
   }
   std::string text = to_text(rates) + "\n";
   const std::size_t shown = governing_run(results);

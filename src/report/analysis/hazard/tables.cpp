@@ -55,11 +55,11 @@ Table with_bounds(const Results& results, Table table) {
 }
 
 /// A lower bound where histories slide below the levels.
-SignedEstimate at_least(const Estimate& estimate, double below_share) {
+NumberCell at_least(const Estimate& estimate, double below_share) {
   return {estimate, below_share > 0.0 ? "> " : ""};
 }
 
-SignedEstimate target_of(const HazardRun& run, const TargetDisplacement& row) {
+NumberCell target_of(const HazardRun& run, const TargetDisplacement& row) {
   const double lowest = run.curve.front().displacement_m;
   if (row.displacement_m.value == lowest) return {row.displacement_m, "< "};
   return at_least(row.displacement_m, row.below_share);
@@ -119,9 +119,9 @@ Table hazard_table(const Results& results, std::optional<double> threshold_m) {
       if (row.threshold_m != threshold_m.value_or(row.threshold_m)) continue;
       const char* sign = sign_of(row);
       const Estimate in_50_years{probability_in(50.0, row.annual_rate.value), {}};
-      table.add({run.label, row.threshold_m, SignedEstimate{row.annual_rate, sign},
-                 SignedEstimate{period_of(row.annual_rate), row.is_mostly_assumed() ? "> " : ""},
-                 SignedEstimate{row.life_probability, sign}, SignedEstimate{in_50_years, sign},
+      table.add({run.label, row.threshold_m, NumberCell{row.annual_rate, sign},
+                 NumberCell{period_of(row.annual_rate), row.is_mostly_assumed() ? "> " : ""},
+                 NumberCell{row.life_probability, sign}, NumberCell{in_50_years, sign},
                  row.beyond_share, row.fit_rate});
     }
   }

@@ -155,8 +155,7 @@ Figure verdict_figure(const Results& results) {
   Table table = verdict_table(results);
   const auto ratio = std::ranges::find(table.columns, "ratio", &Column::stem);
   for (std::vector<Cell>& row : table.rows) {  // without an upper end: down from the point
-    auto& of =
-        std::get<SignedEstimate>(row[static_cast<std::size_t>(ratio - table.columns.begin())]);
+    auto& of = std::get<NumberCell>(row[static_cast<std::size_t>(ratio - table.columns.begin())]);
     if (std::isinf(of.interval.high)) of.interval.high = of.value;
   }
   figure.panels = panels_of(results, std::move(table), "ratio",

@@ -5,47 +5,34 @@
 
 #include <xlsxwriter.h>
 
-#include <algorithm>
-#include <cctype>
-#include <charconv>
 #include <cmath>
 #include <map>
-#include <optional>
 #include <string>
 
 #include "glissade/core/error.hpp"
+#include "glissade/report/format.hpp"
 
 namespace glissade {
 namespace {
 
-/// A number as it is written, with its decimals and unit.
-struct WrittenQuantity {
-  double value = 0.0;
-  std::string format;  ///< of Excel: 0.0" in"
-};
+/// As the tables of the page have it.
+double shown_value(const NumberCell& quantity) {
+  const auto& [count, are_significant] = quantity.digits;
+  if (count < 0) return quantity.value;
+  if (are_significant) return rounded_to(quantity.value, count);
+  const double parts = std::pow(10.0, count);
+  return std::round(quantity.value * parts) / parts;
+}
 
-/// Of "12.7", "12.7 in" and "12.7 in (0.323 m)"; none of any other text.
-std::optional<WrittenQuantity> quantity_in(const std::string& text) {
-  WrittenQuantity found;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), found.value);
-  if (error != std::errc() || !std::isfinite(found.value)) return std::nullopt;
-  const std::string number(text.data(), end);
-  constexpr std::size_t most_digits = 15;  // of a number of Excel
-  const bool is_code =
-      number.size() > most_digits || (number.size() > 1 && number[0] == '0' && number[1] != '.');
-  if (is_code) return std::nullopt;  // "0012345", of a licence
-  std::string unit(end, text.data() + text.size());
-  unit = unit.substr(0, unit.find(" ("));
-  const bool is_unit = unit.empty() || (unit[0] == ' ' && unit.size() > 1 &&
-                                        std::ranges::all_of(unit.substr(1), [](unsigned char c) {
-                                          return std::isalpha(c) != 0 || c == '%';
-                                        }));
-  if (!is_unit) return std::nullopt;
-  const std::size_t point = number.find('.');
-  found.format = "0";
-  if (point != std::string::npos) found.format += "." + std::string(number.size() - point - 1, '0');
-  if (!unit.empty()) found.format += "\"" + unit + "\"";
-  return found;
+/// Of Excel: 0.0" in", "< "General.
+std::string number_format(const NumberCell& quantity) {
+  const auto& [count, are_significant] = quantity.digits;
+  const auto quoted = [](const std::string& text) {
+    return text.empty() ? text : "\"" + text + "\"";
+  };
+  const std::string decimals = count > 0 ? "." + std::string(count, '0') : "";
+  return quoted(quantity.sign) + (count < 0 || are_significant ? "General" : "0" + decimals) +
+         quoted(quantity.unit.empty() ? "" : " " + quantity.unit);
 }
 
 /// What is open is closed and freed once, in close().
@@ -87,31 +74,27 @@ class Workbook {
                     const std::string& text, lxw_format* format) {
     worksheet_write_string(sheet, row, static_cast<lxw_col_t>(column), text.c_str(), format);
   }
-  static void add(lxw_worksheet* sheet, lxw_row_t row, std::size_t at, double value) {
+  static void add(lxw_worksheet* sheet, lxw_row_t row, std::size_t at, double value,
+                  lxw_format* format = nullptr) {
     if (std::isfinite(value))
-      worksheet_write_number(sheet, row, static_cast<lxw_col_t>(at), value, nullptr);
+      worksheet_write_number(sheet, row, static_cast<lxw_col_t>(at), value, format);
   }
-  /// A bound has its sign: "< 9.6e-5".
-  void add(lxw_worksheet* sheet, lxw_row_t row, std::size_t place, const Column& column,
+  void add(lxw_worksheet* sheet, lxw_row_t row, std::size_t at, const Column& column,
            const Cell& cell) {
-    const auto at = static_cast<lxw_col_t>(place);
-    const auto* estimate = std::get_if<SignedEstimate>(&cell);
-    if (estimate != nullptr && !estimate->sign.empty())
-      return write(sheet, row, place, cell_text(column, cell), nullptr);
-    if (const auto* text = std::get_if<std::string>(&cell)) {
-      if (const auto quantity = quantity_in(*text))
-        worksheet_write_number(sheet, row, at, quantity->value, format_of(quantity->format));
-      else
-        write(sheet, row, place, *text, nullptr);
-      return;
-    }
-    add(sheet, row, place, estimate_of(cell).value);
+    const double value = estimate_of(cell).value;
+    const bool is_dash = column.kind == ColumnKind::text && !std::isfinite(value);
+    if (is_dash || std::holds_alternative<std::string>(cell))
+      return write(sheet, row, at, cell_text(column, cell), nullptr);
+    if (const auto* quantity = std::get_if<NumberCell>(&cell))
+      return add(sheet, row, at, shown_value(*quantity), format_of(number_format(*quantity)));
+    add(sheet, row, at, value);
   }
-  lxw_format* format_of(const std::string& number_format) {
-    lxw_format*& format = formats_[number_format];
+  lxw_format* format_of(const std::string& code) {
+    if (code == "General") return nullptr;
+    lxw_format*& format = formats_[code];
     if (format == nullptr) {
       format = workbook_add_format(book_);
-      format_set_num_format(format, number_format.c_str());
+      format_set_num_format(format, code.c_str());
     }
     return format;
   }
