@@ -13,6 +13,7 @@
 #include "glissade/fragility/share.hpp"
 #include "glissade/motion/improbable.hpp"
 #include "glissade/study/analysis/exceeded_displacement.hpp"
+#include "warnings.hpp"
 
 namespace glissade {
 namespace {
@@ -187,8 +188,7 @@ double rounded_up(double value, double step) {
 
 DesignClearance design_clearance(const Project& project, const Results& demand,
                                  const Suite& suite) {
-  constexpr std::size_t levels = 2;  // DBE and MCE
-  expect_of_project(demand.clearance && demand.levels.size() == levels &&
+  expect_of_project(demand.clearance && demand.levels.size() == demand_levels &&
                         demand.suites.size() == 1 &&
                         (project.of_roof ? demand.suites.front().of_roof
                                          : !demand.suites.front().spectra.target_g.empty()),

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "glissade/core/contract.hpp"
 #include "glissade/design/design_clearance.hpp"
 
 namespace glissade {
@@ -64,6 +65,13 @@ std::vector<PrescribedValue> prescribed_values(const Project& project, const Sit
           {Standard::seaoc_pv1_2012, seaoc_pv1_2012_displacement(site.sds_g, site.category),
            conditions_of(Standard::seaoc_pv1_2012, facts), least_share(Standard::seaoc_pv1_2012),
            "half of the prescribed value, unless the analysis is peer reviewed"}};
+}
+
+const PrescribedValue& of_standard(const Project& project, const DesignClearance& design) {
+  const auto value =
+      std::ranges::find(design.prescribed, project.standard, &PrescribedValue::standard);
+  GLISSADE_EXPECTS(value != design.prescribed.end());
+  return *value;
 }
 
 }  // namespace glissade

@@ -69,7 +69,9 @@ RuleRatios ratios_by_rule(const SpectraByRule& spectra, const std::vector<double
 /// most 1: it is met.
 double missing_factor(ScalingRule rule, const RuleRatios& ratios);
 
-/// What the rule asks of the number of motions and is not met; empty: nothing.
+/// The least number of motions by ASCE 7-16 and 7-22, 16.2.2.
+inline constexpr std::size_t motions_by_16_2 = 11;
+/// What the rule requires of the number of motions and is not met; empty: nothing.
 std::string unmet_by(std::size_t motions, ScalingRule rule);
 /// "6 motions: ", and that; empty likewise.
 std::vector<std::string> too_few_for(ScalingRule rule, std::size_t motions);

@@ -179,8 +179,8 @@ std::vector<double> periods_by_rule_s(ScalingRule rule, const FirstPeriods& buil
 }
 
 std::string unmet_by(std::size_t motions, ScalingRule rule) {
-  if (is_of_16_2(rule) && motions < 11)
-    return fmt::format("{}, 16.2.2 requires 11 at least", text_of(rule).name);
+  if (is_of_16_2(rule) && motions < motions_by_16_2)
+    return fmt::format("{}, 16.2.2 requires {} at least", text_of(rule).name, motions_by_16_2);
   if (rule != ScalingRule::asce7_10 || motions >= 7) return "";
   return motions < 3 ? "ASCE 7-10, 16.1.3 requires 3 at least"
                      : "with fewer than 7, ASCE 7-10, 16.1.4 takes the largest "
