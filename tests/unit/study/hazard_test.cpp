@@ -100,6 +100,21 @@ TEST(hazard, rate_of_lognormal_capacities_is_that_of_the_fit) {
   EXPECT_NEAR(row.annual_rate.value / row.fit_rate, 1.0, 0.01);
 }
 
+// Of one capacity c, rate(x) = rate(c) / 2; of capacities 1 and 2, rate(1) + rate(2) = 1.25e-3, and
+// above x from 1 to 2 there are rate(x) + 0.25e-3 = 0.625e-3.
+TEST(hazard, half_of_the_rate_is_of_shaking_above_the_median_of_the_deaggregation) {
+  ByHand one(1, 1, {0.1, 9.0}, {0.3});
+  one.capacity(0, 0, 0) = 3.0;
+  EXPECT_NEAR(one.run().thresholds.at(0).half_intensity, 3.0 * std::sqrt(2.0), 1e-14);
+  ByHand two(2, 1, {0.1, 9.0}, {0.3});
+  two.capacity(0, 0, 0) = 2.0;
+  two.capacity(1, 0, 0) = 1.0;
+  EXPECT_NEAR(two.run().thresholds.at(0).half_intensity, std::sqrt(1e-3 / 0.375e-3), 1e-14);
+  two.capacity(0, 0, 0) = 1.1;  // above both: 2 rate(x) = (1 + 1 / 1.21) / 2 of 1e-3
+  EXPECT_NEAR(two.run().thresholds.at(0).half_intensity, std::sqrt(4.0 / (1.0 + 1.0 / 1.21)),
+              1e-14);
+}
+
 TEST(hazard, rates_double_with_the_hazard) {
   ByHand study(2, 1, {1.0, 2.0}, {0.3});
   study.capacity(0, 0, 0) = 0.7;
@@ -124,6 +139,7 @@ TEST(hazard, of_a_history_that_slides_freely_has_no_rate) {
   const HazardRun run = study.run();
   EXPECT_EQ(run.thresholds[0].annual_rate.value, infinity);
   EXPECT_EQ(run.thresholds[0].life_probability.value, 1.0);
+  EXPECT_TRUE(std::isnan(run.thresholds[0].half_intensity));
   EXPECT_EQ(run.curve.back().annual_rate.value, infinity);
   EXPECT_EQ(run.life.at(0).median_m.value, infinity);
 }

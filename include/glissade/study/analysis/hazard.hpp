@@ -31,10 +31,11 @@ struct HazardConfig {
 /// threshold counts as if any shaking above that level did.
 struct ThresholdRate {
   double threshold_m = 0.0;
-  Estimate annual_rate;       ///< infinite where a history slides freely
-  double beyond_share = 0.0;  ///< part of the rate that comes from histories so counted
-  double fit_rate = 0.0;      ///< of the lognormal fit; NaN without one
-  Estimate life_probability;  ///< of one exceedance or more in the design life
+  Estimate annual_rate;         ///< infinite where a history slides freely
+  double beyond_share = 0.0;    ///< part of the rate that comes from histories so counted
+  double fit_rate = 0.0;        ///< of the lognormal fit; NaN without one
+  Estimate life_probability;    ///< of one exceedance or more in the design life
+  double half_intensity = 0.0;  ///< half of the rate is of stronger shaking; NaN of an infinite one
 
   /// Most of the rate is that assumption: an upper bound, without an interval.
   bool is_mostly_assumed() const { return beyond_share > 0.5; }

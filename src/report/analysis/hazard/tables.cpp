@@ -110,6 +110,9 @@ Table hazard_table(const Results& results, std::optional<double> threshold_m) {
                 "probability of one exceedance or more in 50 years", false, -1, true},
                {"beyond_share", "", "Beyond levels", ColumnKind::share,
                 "part of the rate from histories that do not reach it at the highest level"},
+               intensity_column(results, "half_intensity", "Half of it above",
+                                "half of the rate is of stronger shaking: median of its "
+                                "deaggregation; nan: an infinite rate"),
                {"fit_rate", "per_year", "Annual rate by the lognormal fit", ColumnKind::rate,
                 "annual rate by the lognormal fit; nan: no fit"}},
               {}};
@@ -122,7 +125,7 @@ Table hazard_table(const Results& results, std::optional<double> threshold_m) {
       table.add({run.label, row.threshold_m, NumberCell{row.annual_rate, sign},
                  NumberCell{period_of(row.annual_rate), row.is_mostly_assumed() ? "> " : ""},
                  NumberCell{row.life_probability, sign}, NumberCell{in_50_years, sign},
-                 row.beyond_share, row.fit_rate});
+                 row.beyond_share, row.half_intensity, row.fit_rate});
     }
   }
   table.notes = {

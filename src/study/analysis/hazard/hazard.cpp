@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <numeric>
 
 #include "analysis/hazard/design_life.hpp"
@@ -95,13 +96,29 @@ struct Rates {
     return {mean_of(by_record, std::vector<double>(records(), 1.0)), interval(by_record)};
   }
 
+  /// The median of the deaggregation by intensity: shaking above x contributes the mean over the
+  /// histories of rate(max(capacity, x)), which is half of the mean of their rates.
+  double half_intensity(std::vector<double> rates) const {
+    std::ranges::sort(rates, std::greater());
+    double of_rest = std::accumulate(rates.begin(), rates.end(), 0.0);
+    if (std::isinf(of_rest)) return nan;
+    const double half = 0.5 * of_rest;
+    for (std::size_t reached = 1;; ++reached) {
+      of_rest -= rates[reached - 1];
+      const double above_x = (half - of_rest) / static_cast<double>(reached);
+      if (reached == rates.size() || above_x >= rates[reached])
+        return hazard.curve.intensity_at(above_x);
+    }
+  }
+
   ThresholdRate of_threshold(const ThresholdFragility& fragility, std::size_t threshold) const {
-    std::vector<double> by_record(records());
+    std::vector<double> by_record(records()), by_history;
     double beyond = 0.0;
     for (std::size_t record = 0; record < records(); ++record) {
       for (std::size_t i = cases.first; i < cases.first + cases.count; ++i) {
         const double capacity = results.histories.capacity(record, i, threshold);
-        by_record[record] += rate(capacity) / static_cast<double>(cases.count);
+        by_history.push_back(rate(capacity));
+        by_record[record] += by_history.back() / static_cast<double>(cases.count);
         if (std::isinf(capacity)) beyond += highest;
       }
     }
@@ -117,6 +134,7 @@ struct Rates {
     row.fit_rate = fit.converged()                           ? annual_rate(hazard.curve, fit.curve)
                    : fit.status == FitStatus::always_exceeds ? infinity
                                                              : nan;
+    row.half_intensity = half_intensity(std::move(by_history));
     const double years = hazard.design_life_years;
     row.life_probability = {probability_in(years, row.annual_rate.value),
                             {probability_in(years, row.annual_rate.interval.low),
