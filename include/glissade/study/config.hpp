@@ -103,6 +103,8 @@ struct OrientationConfig {
   SignChoice second_sign = SignChoice::random;  ///< two axes
 };
 
+/// Fewer scrambles do not decide whether an error of the samples is small enough.
+inline constexpr std::uint64_t least_scrambles = 8;
 /// When a run may end before all scrambles are run.
 struct SamplingTarget {
   double error = 0.0;  ///< > 0: half of the 95 % interval of ln median, of the samples alone
@@ -114,6 +116,8 @@ struct SamplingConfig {
   std::uint64_t samples = 1024;  ///< >= 1
   std::uint64_t scrambles = 1;   ///< independent blocks of the samples, of equal size
   std::optional<SamplingTarget> target;
+  /// Run before the target is first looked at: an error of few is more often too small by chance.
+  std::uint64_t scrambles_to_target = least_scrambles;
   int bootstrap_replicates = 1000;
 
   SampleBlocks blocks() const { return {scrambles, samples / scrambles}; }

@@ -275,6 +275,14 @@ std::vector<StudyTable> tables_of_cases() {
           {"sampling.scrambles of 8 or more",
            [](auto&, auto& s) { return s.sampling.scrambles >= least_scrambles; }},
           needs_all_levels}},
+        {"least_scrambles",
+         reads<sampling, &SamplingConfig::scrambles_to_target>(least_scrambles, 1024),
+         "scrambles that are run before target_error can end the run: the error of few is more "
+         "often too small by chance",
+         {{"sampling.target_error and as many scrambles",
+           [](auto&, auto& s) {
+             return s.sampling.target && s.sampling.scrambles >= s.sampling.scrambles_to_target;
+           }}}},
         {"bootstrap_replicates",
          reads<sampling, &SamplingConfig::bootstrap_replicates>(100, 1000000),
          "resamples of whole records for the intervals"}}}};

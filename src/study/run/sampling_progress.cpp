@@ -45,10 +45,11 @@ void SamplingProgress::end_block() {
 }
 
 bool SamplingProgress::is_enough() const {
-  const auto& target = plan_.config.sampling.target;
-  if (!target || medians_.blocks() < least_scrambles) return false;
+  const SamplingConfig& sampling = plan_.config.sampling;
+  if (!sampling.target || medians_.blocks() < sampling.scrambles_to_target) return false;
   for (std::size_t row = 0; row < medians_.rows(); ++row) {
-    if (half_width(medians_.standard_error(row), medians_.blocks()) > target->error) return false;
+    if (half_width(medians_.standard_error(row), medians_.blocks()) > sampling.target->error)
+      return false;
   }
   return true;
 }

@@ -71,7 +71,7 @@ std::string to_string(const Plan& plan) {
     if (c.sampling.target) {
       text += fmt::format(
           "            fewer where {} to {} scrambles of {} give an error of {:g} (target_error)\n",
-          least_scrambles, c.sampling.scrambles, c.sampling.blocks().size,
+          c.sampling.scrambles_to_target, c.sampling.scrambles, c.sampling.blocks().size,
           c.sampling.target->error);
     }
   }

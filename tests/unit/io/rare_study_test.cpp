@@ -45,6 +45,16 @@ TEST_F(RareStudy, a_target_error_ends_scrambles_of_a_fragility) {
   ASSERT_TRUE(study.sampling.target);
   EXPECT_EQ(study.sampling.target->error, 0.01);
   EXPECT_EQ(study.sampling.target->most_scrambles, 16u);
+  const std::string least = "[sampling]\nleast_scrambles = 12\nsamples = 64\nscrambles = ";
+  EXPECT_EQ(
+      read(with(least + "16\ntarget_error = 0.01\n" + fragility_part)).sampling.scrambles_to_target,
+      12u);
+  refuses({{with(least + "8\ntarget_error = 0.01\n" + fragility_part),
+            "study.toml:12",
+            {"sampling.least_scrambles", "as many scrambles"}},
+           {with(least + "16\n" + fragility_part),
+            "study.toml:12",
+            {"sampling.least_scrambles", "sampling.target_error"}}});
   refuses(
       {{with(sampling + "4\n" + fragility_part),
         "study.toml:13",

@@ -103,6 +103,15 @@ TEST(sampling_target, is_decided_by_the_blocks_alone) {
   EXPECT_EQ(plan.unit_ends[block], enough);
 }
 
+TEST(sampling_target, is_not_looked_at_before_the_scrambles_that_are_run_in_any_case) {
+  StudyConfig config = config_with(0.5);
+  const Plan plan = small_plan(config);
+  EXPECT_EQ(run_to_target(plan).size(), plan.unit_ends[least_scrambles - 1]);
+  config.sampling.scrambles_to_target = 20;
+  const Plan later = small_plan(config);
+  EXPECT_EQ(run_to_target(later).size(), later.unit_ends[19]);
+}
+
 TEST(sampling_target, that_is_not_reached_is_a_warning_beside_all_samples) {
   StudyConfig config = config_with(1e-4);
   config.sampling = config.sampling.first_blocks(8);

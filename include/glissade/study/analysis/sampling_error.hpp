@@ -25,9 +25,6 @@ struct SamplingErrorRow {
   double sampling_error = 0.0;  ///< from the scrambles; NaN where a part has no fit
 };
 
-/// Fewer scrambles do not decide whether an error of the samples is small enough.
-inline constexpr std::uint64_t least_scrambles = 8;
-
 /// Where a run with sampling.target_error ended.
 struct ReachedTarget {
   double target_error = 0.0;
