@@ -1,25 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "glissade/io/suite_import.hpp"
-
-#include <fmt/format.h>
-#include <gmock/gmock.h>
-
 #include <algorithm>
-#include <cmath>
 
 #include "glissade/core/file.hpp"
-#include "glissade/io/sha256.hpp"
-#include "glissade/io/suite_file.hpp"
-#include "glissade/motion/improbable.hpp"
-#include "problems.hpp"
-#include "temporary_folder.hpp"
+#include "record_folder.hpp"
 
 namespace glissade {
 namespace {
 
 namespace fs = std::filesystem;
-using testing::Contains;
-using testing::Each;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
@@ -27,95 +15,6 @@ using testing::IsEmpty;
 std::string changed(std::string text, const std::string& from, const std::string& to) {
   return text.replace(text.find(from), from.size(), to);
 }
-
-/// A made-up motion; each seed another.
-std::vector<double> motion_g(double seed, std::size_t count = 200) {
-  std::vector<double> a;
-  for (std::size_t i = 0; i < count; ++i) {
-    const double t = 0.01 * static_cast<double>(i);
-    a.push_back(0.3 * std::sin(3.0 * t) * std::sin((20.0 + seed) * t + seed));
-  }
-  return a;
-}
-
-std::string lines_of_samples(const std::vector<double>& a) {
-  std::string text;
-  for (const double value : a) text += fmt::format("{:.9f}\n", value);
-  return text;
-}
-
-/// A file of NGA-West2.
-std::string at2(const std::string& source, double seed, std::size_t count = 200,
-                double dt_s = 0.01) {
-  return fmt::format(
-             "PEER NGA STRONG MOTION DATABASE RECORD\n{}\nACCELERATION TIME SERIES IN UNITS OF G\n"
-             "NPTS=   {}, DT=   {:.4f} SEC\n",
-             source, count, dt_s) +
-         lines_of_samples(motion_g(seed, count));
-}
-
-std::string column(double seed, std::size_t count = 200, double dt_s = 0.01) {
-  return fmt::format("# units: g\n# DT = {}\n", dt_s) + lines_of_samples(motion_g(seed, count));
-}
-
-/// A tar archive (POSIX 1003.1, ustar) of files.
-std::string tar_of(const std::vector<std::pair<std::string, std::string>>& files) {
-  constexpr std::size_t block = 512, sum_at = 148, sum_length = 8;
-  std::string tar;
-  for (const auto& [name, content] : files) {
-    std::string head(block, '\0');
-    head.replace(0, name.size(), name);
-    head.replace(124, 11, fmt::format("{:011o}", content.size()));
-    head.replace(156, 1, "0");
-    head.replace(257, 8, std::string("ustar\0", 6) + "00");
-    head.replace(sum_at, sum_length, std::string(sum_length, ' '));
-    unsigned int sum = 0;
-    for (const char c : head) sum += static_cast<unsigned char>(c);
-    head.replace(sum_at, 7, fmt::format("{:06o}", sum) + '\0');
-    tar += head + content + std::string((block - content.size() % block) % block, '\0');
-  }
-  return tar + std::string(2 * block, '\0');
-}
-
-class SuiteImporter : public testing::Test {
- protected:
-  SuiteImport import(ImportOptions options = {}) const {
-    options.inputs = {folder_.path() / "records"};
-    return import_suite(options);
-  }
-  void write(const std::string& name, const std::string& text) const {
-    folder_.write("records/" + name, text);
-  }
-  SuiteImport import_with_report(const std::string& report) const {
-    ImportOptions options;
-    options.report = folder_.write("report.csv", report);
-    return import(options);
-  }
-  /// The suite that is written beside the folder, read.
-  Suite load(const SuiteImport& found) const {
-    return load_suite(
-        folder_.write("suite.toml", imported_suite_toml(found, {"s", {}, {}}, folder_.path())));
-  }
-  /// "first, second, vertical" by their files.
-  static std::string files_of(const SuiteImport& found, const ImportedRecord& record) {
-    std::string list;
-    for (const auto& component : record.components)
-      list += (list.empty() ? "" : ", ") +
-              (component ? found.components[*component].shown() : std::string("-"));
-    return list;
-  }
-  static std::string reasons(const SuiteImport& found) {
-    std::string text;
-    for (const LeftOut& left : found.left_out) text += left.what + ": " + left.reason + "\n";
-    return text;
-  }
-  void write_triple(const std::string& source = "Somewhere, 1/2/1999, Place") const {
-    write("RSN7_SOME_PLC000.AT2", at2(source + ", 0", 1));
-    write("RSN7_SOME_PLC090.AT2", at2(source + ", 90", 2));
-    write("RSN7_SOME_PLC-UP.AT2", at2(source + ", UP", 3));
-  }
-  TemporaryFolder folder_;
-};
 
 TEST_F(SuiteImporter, components_of_one_station_and_event_become_one_record) {
   write_triple();
@@ -177,95 +76,6 @@ TEST_F(SuiteImporter, columns_of_one_table_are_addressed_by_their_names) {
   EXPECT_EQ(load(found).motions[0].vertical_mps2.size(), 50u);
 }
 
-constexpr const char* peer_report =
-    "\n PEER Ground Motion Database, Time Series Search Report -- NGA-West2 -- 2019-04-04\n\n"
-    " -- Summary of PEER Ground Motion Database Search Criteria --\nMagnitude Min:, -1.0e-06\n"
-    "Record Sequence Number:, 7, 9\n\n -- Summary of Metadata of Selected Records --\n"
-    "Result ID, Spectral Ordinate, Record Sequence Number, Mean Squared Error, Scale Factor, "
-    "Earthquake Name, Year, Station Name, Magnitude, Mechanism, Rjb (km), Rrup (km), Vs30 (m/sec), "
-    "Horizontal-1 Acc. Filename, Horizontal-2 Acc. Filename, Vertical Acc. Filename\n"
-    "1, SRSS, 7, -, 1.7, \"Friuli_ Italy-01\", 1976, \"Place, at Town\", 6.5, Reverse, 14.97, "
-    "15.82, 505.23, RSN7_SOME_PLC090.AT2, RSN7_SOME_PLC000.AT2 , RSN7_SOME_PLC-UP.AT2  \n"
-    "2, SRSS, 9, -, 1.0, \"None\", 1976, \"None\", 6.5, Reverse, 1, 2, 505, ../../etc/passwd, "
-    "RSN9.AT2 ,  -----   \n\n These records are UNSCALED, AS RECORDED\n\n"
-    " -- Scaled Spectra used in Search & Scaling --\nPeriod (sec),RSN-7 SRSS pSa (g)\n0.01,0.4\n";
-
-TEST_F(SuiteImporter, a_report_of_peer_gives_magnitude_distance_site_factor_and_order) {
-  write_triple();
-  write("_SearchResults.csv", peer_report);
-  const SuiteImport found = import_with_report(peer_report);
-  ASSERT_EQ(found.records.size(), 1u) << reasons(found);
-  const ImportedRecord& record = found.records[0];
-  EXPECT_EQ(record.event, "Friuli, Italy-01 1976");
-  EXPECT_EQ(record.station, "Place, at Town");
-  EXPECT_EQ(record.magnitude, 6.5);
-  EXPECT_EQ(record.distance_km, 15.82);
-  EXPECT_EQ(record.distance_kind, "rupture");
-  EXPECT_EQ(record.vs30_mps, 505.23);
-  EXPECT_EQ(record.scale, 1.7);
-  EXPECT_EQ(files_of(found, record),
-            "RSN7_SOME_PLC090.AT2, RSN7_SOME_PLC000.AT2, RSN7_SOME_PLC-UP.AT2");
-  EXPECT_THAT(found.warnings, IsEmpty());
-  // The copy in the folder was not given as the report; RSN9 has no file, and none is opened.
-  EXPECT_THAT(reasons(found),
-              test::states("give it with --report", "RSN9 of the report", "../../etc/passwd"));
-  const Suite suite = load(found);
-  EXPECT_EQ(suite.motions[0].scale, 1.7);
-  EXPECT_THAT(suite.motions[0].notes, IsEmpty());
-}
-
-TEST_F(SuiteImporter, a_report_that_does_not_state_unscaled_files_is_warned_of) {
-  write_triple();
-  std::string report = peer_report;
-  report.replace(report.find("UNSCALED"), 8, "SCALED");
-  EXPECT_THAT(import_with_report(report).warnings, ElementsAre(HasSubstr("factors")));
-}
-
-TEST_F(SuiteImporter, a_flatfile_of_esm_is_joined_by_event_and_station) {
-  const auto esm = [](const char* stream, double seed) {
-    return fmt::format(
-               "EVENT_NAME: X\nEVENT_ID: EMSC-1\nEVENT_DATE_YYYYMMDD: 20190728\n"
-               "EVENT_TIME_HHMMSS: 160908\nMAGNITUDE_W: \nMAGNITUDE_L: 4.6\nNETWORK: HI\n"
-               "STATION_CODE: ARS1\nVS30_M/S: 300\nEPICENTRAL_DISTANCE_KM: 88.1\n"
-               "SAMPLING_INTERVAL_S: 0.01\nNDATA: 100\nSTREAM: {}\nUNITS: cm/s^2\n"
-               "DATA_TYPE: ACCELERATION\nPROCESSING: manual\n",
-               stream) +
-           lines_of_samples(motion_g(seed, 100));
-  };
-  write("HI.ARS1..HNE.ASC", esm("HNE", 1));
-  write("HI.ARS1..HNN.ASC", esm("HNN", 2));
-  const ImportedRecord by_header = import().records.at(0);
-  EXPECT_EQ(by_header.magnitude, 4.6);
-  EXPECT_EQ(by_header.magnitude_kind, "ML");
-  EXPECT_EQ(by_header.distance_km, 88.1);
-  EXPECT_EQ(by_header.distance_kind, "epicentral");
-  EXPECT_EQ(by_header.vs30_mps, 300.0);
-  const std::string flatfile =
-      "event_id;event_time;ML;Mw;network_code;station_code;vs30_m_sec;epi_dist;JB_dist;rup_dist\n"
-      "EMSC-1;2019;4.6;4.4;HI;OTHR;;1;2;3\nEMSC-1;2019;4.6;4.4;HI;ARS1;412;88.1;80.5;\n";
-  const SuiteImport found = import_with_report(flatfile);
-  const ImportedRecord& record = found.records.at(0);
-  EXPECT_EQ(record.magnitude, 4.4);
-  EXPECT_EQ(record.magnitude_kind, "Mw");
-  EXPECT_EQ(record.distance_km, 80.5);
-  EXPECT_EQ(record.distance_kind, "joyner_boore");
-  EXPECT_EQ(record.vs30_mps, 412.0);
-  EXPECT_EQ(files_of(found, record), "HI.ARS1..HNN.ASC, HI.ARS1..HNE.ASC, -");
-  EXPECT_THAT(load(found).motions[0].notes, ElementsAre(HasSubstr("Joyner")));
-  EXPECT_THAT(load(import()).motions[0].notes,
-              ElementsAre(HasSubstr("ML"), HasSubstr("epicentral")));
-}
-
-TEST_F(SuiteImporter, a_report_that_is_none_is_refused) {
-  write_triple();
-  EXPECT_THAT(message_of([&] { import_with_report("a,b\n1,2\n"); }),
-              test::states("report.csv", "Record Sequence Number", "event_id"));
-  EXPECT_THAT(message_of([&] {
-                import_with_report("Record Sequence Number,Horizontal-1 Acc. Filename\n");
-              }),
-              HasSubstr("no rows"));
-}
-
 TEST_F(SuiteImporter, a_bad_file_is_left_out_with_its_reason_and_stops_no_other) {
   write_triple();
   write("empty.txt", "");
@@ -299,55 +109,6 @@ TEST_F(SuiteImporter, duplicates_are_named_and_left_out) {
   EXPECT_THAT(reasons(found), test::states("the same bytes as",
                                            "old/PLC-090: a duplicate: the "
                                            "same samples as"));
-}
-
-/// A channel of the miniSEED file of the corpus, 1000 counts for one unit.
-std::string station_xml(const std::string& unit, const std::string& azimuth) {
-  return "<?xml version=\"1.0\"?><FDSNStationXML><Network code=\"XX\"><Station code=\"XXX\">"
-         "<Channel code=\"HNE\" locationCode=\"\" startDate=\"1999-01-01T00:00:00\" "
-         "endDate=\"2001-01-01T00:00:00\"><Azimuth>" +
-         azimuth +
-         "</Azimuth><Dip>0</Dip><Response><InstrumentSensitivity><Value>1000</Value><Frequency>1"
-         "</Frequency><InputUnits><Name>" +
-         unit +
-         "</Name></InputUnits><OutputUnits><Name>COUNTS</Name></OutputUnits>"
-         "</InstrumentSensitivity></Response></Channel></Station></Network></FDSNStationXML>";
-}
-
-class MiniseedImporter : public SuiteImporter {
- protected:
-  SuiteImport import_with(const std::string& xml) const {
-    write("a.mseed", read_text_file(fs::path(GLISSADE_SOURCE_DIR) /
-                                    "tests/fuzz/corpus/record/miniseed.mseed"));
-    write("metadata/station.xml", xml);
-    ImportOptions options;
-    options.keep_single = true;
-    return import(options);
-  }
-};
-
-TEST_F(MiniseedImporter, takes_gain_and_azimuth_of_the_stations_metadata) {
-  const SuiteImport found = import_with(station_xml("M/S**2", "30"));
-  if (reasons(found).find("libmseed") != std::string::npos) GTEST_SKIP() << reasons(found);
-  EXPECT_EQ(reasons(found), "");
-  ASSERT_EQ(found.records.size(), 1u);
-  EXPECT_EQ(found.components[*found.records[0].components[0]].header.direction, "30");
-  fs::remove_all(folder_.path() / "records/metadata");  // the suite has the gain
-  const Suite suite = load(found);
-  const auto& first = suite.motions.at(0).horizontal_mps2[0];
-  EXPECT_THAT(std::vector<double>(first.begin(), first.end()),
-              ElementsAre(0.0, 0.5, -1.0, 0.25, 2.0, -0.5, -0.75, -0.5));
-}
-
-TEST_F(MiniseedImporter, refuses_channels_of_velocity_and_metadata_that_are_none) {
-  for (const auto& [xml, words] :
-       {std::pair{station_xml("M/S", "30"), "channel XX_XXX__HNE has 1000 'counts' for 1 'M/S'"},
-        std::pair{station_xml("M/S**2", "30").substr(0, 200), "no whole XML"},
-        std::pair{std::string("<FDSNStationXML/>"), "does not state how many"}}) {
-    const std::string reason = reasons(import_with(xml));
-    if (reason.find("libmseed") != std::string::npos) GTEST_SKIP() << reason;
-    EXPECT_THAT(reason, HasSubstr(words));
-  }
 }
 
 TEST_F(SuiteImporter, what_is_not_processed_is_left_out_beside_its_processed_version) {
@@ -433,96 +194,6 @@ TEST_F(SuiteImporter, clipped_flat_and_spiky_components_are_named_here_and_in_th
       ElementsAre(HasSubstr("first component: clipped?"), HasSubstr("second component: a spike?")));
 }
 
-TEST_F(SuiteImporter, a_suite_is_read_where_it_was_moved_to_and_knows_its_files) {
-  write_triple();
-  const SuiteImport found = import();
-  folder_.write("home/suite.toml",
-                imported_suite_toml(found, {"s", {"made\nby"}, {}}, folder_.path() / "home"));
-  TemporaryFolder other;
-  fs::copy(folder_.path(), other.path() / "moved", fs::copy_options::recursive);
-  fs::rename(folder_.path() / "records", folder_.path() / "gone");
-  const fs::path suite = other.path() / "moved/home/suite.toml";
-  EXPECT_EQ(load_suite(suite).motions.size(), 1u);
-
-  const fs::path changed = other.path() / "moved/records/RSN7_SOME_PLC090.AT2";
-  std::ofstream(changed) << at2("Somewhere, 1/2/1999, Place, 90", 2.5);
-  const std::vector<Problem> problems = problems_of([&] { load_suite(suite); });
-  ASSERT_EQ(problems.size(), 1u);
-  EXPECT_THAT(problems[0].what,
-              test::states("RSN7_SOME_PLC090.AT2", "is not the file", sha256_of_file(changed)));
-  EXPECT_THAT(problems[0].suggestion, HasSubstr("sha256"));
-}
-
-TEST_F(SuiteImporter, records_in_an_archive_are_imported_and_read_without_being_unpacked) {
-  const std::vector<std::pair<std::string, std::string>> files = {
-      {"RSN7_SOME_PLC000.AT2", at2("Somewhere, 1/2/1999, Place, 0", 1)},
-      {"up/RSN7_SOME_PLC-UP.AT2", at2("Somewhere, 1/2/1999, Place, UP", 3)},
-      {"RSN7_SOME_PLC090.AT2", at2("Somewhere, 1/2/1999, Place, 90", 2)},
-      {"report.csv",
-       "Record Sequence Number,Earthquake Name,Year,Station Name,Magnitude,Rrup (km),Horizontal-1 "
-       "Acc. Filename,Horizontal-2 Acc. Filename,Vertical Acc. Filename\n"
-       "7,Somewhere,1999,Place,6.5,12,RSN7_SOME_PLC000.AT2,RSN7_SOME_PLC090.AT2,"
-       "RSN7_SOME_PLC-UP.AT2\n"},
-      {"nested.tar", tar_of({{"a", "b"}})}};
-  write("all.tar", tar_of(files));
-  ImportOptions options;
-  SuiteImport found = import(options);
-  if (reasons(found).find("libarchive") != std::string::npos) GTEST_SKIP() << reasons(found);
-  EXPECT_THAT(reasons(found), test::states("all.tar#report.csv: is a report of a search; give it "
-                                           "with --report",
-                                           "all.tar#nested.tar: is an archive in an archive"));
-  options.report = folder_.path() / "records/all.tar#report.csv";
-  found = import(options);
-  ASSERT_EQ(found.records.size(), 1u) << reasons(found);
-  EXPECT_EQ(found.records[0].magnitude, 6.5);
-  EXPECT_EQ(files_of(found, found.records[0]),
-            "RSN7_SOME_PLC000.AT2, RSN7_SOME_PLC090.AT2, RSN7_SOME_PLC-UP.AT2");
-  const std::string suite = imported_suite_toml(found, {"s", {}, {}}, folder_.path());
-  EXPECT_THAT(suite, HasSubstr("records/all.tar#up/RSN7_SOME_PLC-UP.AT2"));
-  const Suite loaded = load(found);
-  EXPECT_EQ(loaded.motions[0].vertical_mps2.size(), 200u);
-  const auto entries = fs::directory_iterator(folder_.path() / "records");
-  EXPECT_EQ(std::distance(begin(entries), end(entries)), 1);
-  const auto listed = record_files(folder_.path() / "suite.toml");
-  EXPECT_EQ(sha256_of(listed).at(1), sha256_of(std::string_view(files[2].second)));
-
-  auto changed = files;
-  changed[2].second = at2("Somewhere, 1/2/1999, Place, 90", 2.5);
-  write("all.tar", tar_of(changed));
-  EXPECT_THAT(message_of([&] { load(found); }),
-              test::states("RSN7_SOME_PLC090.AT2", "is not the file"));
-}
-
-TEST_F(SuiteImporter, texts_of_headers_and_names_stay_texts) {
-  const std::string hostile = "Quake \"\x1b[2J\"\\\nid = \"x, 1/2/1999, Pl\xff\xe2\x80\xae\"ace";
-  std::string source = hostile;
-  std::replace(source.begin(), source.end(), '\n', '\r');
-  write("RSN7_'$(x)'_\"q\"_000.AT2", at2(source + ", 0", 1));
-  write("RSN7_'$(x)'_\"q\"_090.AT2", at2(source + ", 90", 2));
-  write("bad\x1b[31m000.txt", column(3));
-  const SuiteImport found = import();
-  ASSERT_EQ(found.records.size(), 1u) << reasons(found);
-  EXPECT_EQ(found.records[0].id, "RSN7____x____q");
-  for (const std::string& text : {found.records[0].event, found.records[0].station}) {
-    EXPECT_TRUE(std::ranges::all_of(text, [](unsigned char c) { return c >= ' '; })) << text;
-    EXPECT_THAT(text, testing::Not(HasSubstr("\u0080")));  // a control character of Latin-1
-  }
-  EXPECT_THAT(reasons(found), HasSubstr("control characters"));
-  const Suite suite = load(found);
-  EXPECT_EQ(suite.motions.size(), 1u);
-  EXPECT_EQ(suite.motions[0].id, found.records[0].id);
-}
-
-TEST_F(SuiteImporter, texts_of_a_report_stay_texts) {
-  write_triple();
-  std::string report = peer_report;
-  report.replace(report.find("Place, at"), 5, "Pl\x16\xb1\\");
-  const SuiteImport found = import_with_report(report);
-  ASSERT_EQ(found.records.size(), 1u) << reasons(found);
-  EXPECT_EQ(found.records[0].station, "Pl\\u0016\\xb1\\, at Town");
-  EXPECT_EQ(load(found).motions[0].station, found.records[0].station);
-}
-
 TEST_F(SuiteImporter, ids_are_unique) {
   for (const char* folder : {"a", "b"})
     for (const char* direction : {"000", "090"})
@@ -534,6 +205,7 @@ TEST_F(SuiteImporter, ids_are_unique) {
 }
 
 // The made-up samples of the fuzz corpus, one of each format.
+
 TEST(RecordHeaders, state_event_station_direction_magnitude_and_unit) {
   struct Expected {
     const char *file, *event, *station, *direction, *unit;
