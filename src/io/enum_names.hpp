@@ -10,6 +10,9 @@ namespace glissade {
 
 inline constexpr EnumNames<UnitSystem> unit_names = {{"si", UnitSystem::si},
                                                      {"us", UnitSystem::us_customary}};
+inline constexpr EnumNames<AsceEdition> edition_names = {{"asce7_10", AsceEdition::asce7_10},
+                                                         {"asce7_16", AsceEdition::asce7_16},
+                                                         {"asce7_22", AsceEdition::asce7_22}};
 /// Those that scale a suite as a whole.
 inline constexpr EnumNames<ScalingRule> scaling_rule_names = {
     {"walters_2012", ScalingRule::walters_2012},

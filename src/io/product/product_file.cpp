@@ -5,10 +5,8 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <array>
 #include <sstream>
 
-#include "enum_names.hpp"
 #include "glissade/core/units.hpp"
 #include "glissade/io/study_file.hpp"
 #include "product/product_keys.hpp"
@@ -22,28 +20,6 @@ namespace glissade {
 namespace {
 
 namespace fs = std::filesystem;
-
-const std::vector<GrammarKey> product_keys = {
-    {"product", "name", "\"Racking A, feet on TPO\"", "required", "name of the product"},
-    {"product", "manufacturer", "\"\"", "", "of the product"},
-    {"product", "revision", "\"0\"", "", "of the sheet"},
-    {"product", "date", "\"\"", "", "of the sheet"},
-    {"product", "unit", "\"in\"", "", "\"in\", \"ft\" or \"m\": of the sheet and its CSV files"},
-    {"product", "round_up_m", "\"1 in\"", "", "displacements are rounded up to this"},
-    {"target", "edition", "\"asce7_16\"", "", "of [[target]], one for each site of the sheet"},
-    {"target", "sds_g", "1.0", "required", "S_DS, g"},
-    {"target", "sd1_g", "0.6", "required", "S_D1, g"},
-    {"target", "tl_s", "8", "", "T_L, s"},
-    {"hazard", "k", "2.2", "",
-     "the hazard curve of each target is assumed from its S_DS by the risk target of ASCE 7, with "
-     "this exponent; with k0 it is k0 S_DS^-k, of one target"},
-    {"hazard", "k0", "1e-3", "", "annual rate of exceeding S_DS = 1 g"},
-    {"hazard", "curve", "\"hazard.csv\"", "", "columns sds_g, annual_rate, of one target"},
-    {"hazard", "design_life_years", "25", "required", "in which smaller events add up"},
-    {"hazard", "event_years", "700", "", "return period of the one large event"},
-};
-
-constexpr std::array own_tables = {"product", "target", "hazard"};
 
 /// "[[name]]": the name of the table that begins in a line; empty: none does.
 std::string table_in(const std::string& line) {
@@ -65,7 +41,7 @@ std::string without_own_tables(const std::string& text) {
   std::istringstream lines(text);
   for (std::string line; std::getline(lines, line); rest += "\n") {
     if (const std::string table = table_in(line); !table.empty())
-      is_own = std::ranges::find(own_tables, table) != own_tables.end();
+      is_own = has_key(product_grammar(), table);
     if (!is_own) rest += line;
   }
   return rest;
@@ -134,14 +110,7 @@ void read_targets(const TomlTable& root, Product& product) {
                 "give one for each site of the sheet: [[target]], sds_g = 1.0, sd1_g = 0.6");
   for (const TomlTable& table : tables) {
     DesignTarget target{.edition = AsceEdition::asce7_16};
-    target.edition = table
-                         .choice<AsceEdition>("edition", {{"asce7_10", AsceEdition::asce7_10},
-                                                          {"asce7_16", AsceEdition::asce7_16},
-                                                          {"asce7_22", AsceEdition::asce7_22}})
-                         .value_or(target.edition);
-    target.sds_g = table.required_number("sds_g", above_zero);
-    target.sd1_g = table.required_number("sd1_g", above_zero);
-    target.tl_s = table.number("tl_s", above_zero).value_or(target.tl_s);
+    read_keys(product_target_table().keys, table, target);
     if (target.sd1_g > target.tl_s * target.sds_g)
       table.report("sd1_g", "T_S = S_D1 / S_DS is above T_L", "check sds_g, sd1_g and tl_s");
     product.targets.push_back({target, {}});
@@ -151,8 +120,6 @@ void read_targets(const TomlTable& root, Product& product) {
 void read_product_hazard(const TomlTable& root, Product& product) {
   if (!root.has("hazard")) return;
   const TomlTable table = root.table("hazard");
-  product.event_years = table.number("event_years", {"above 1", [](double x) { return x > 1.0; }})
-                            .value_or(product.event_years);
   for (ProductTarget& target : product.targets) {
     target.hazard = hazard_of(table, target, product.targets.size());
     if (!target.hazard) return;
@@ -160,8 +127,6 @@ void read_product_hazard(const TomlTable& root, Product& product) {
 }
 
 }  // namespace
-
-const std::vector<GrammarKey>& product_grammar() { return product_keys; }
 
 bool is_product(const fs::path& file) { return TomlDocument(file).root().has("product"); }
 
@@ -175,18 +140,10 @@ Product read_product(const fs::path& file) {
                   "[product] and the targets give it: leave it out");
   document.read_only([](const std::string& name) { return has_key(product_grammar(), name); });
   Product product{.file = file, .source_text = document.text()};
-  const TomlTable head = root.required_table("product");
-  const auto text = [&](const char* key) { return head.text(key).value_or(""); };
-  product.name = head.required_text("name");
-  product.manufacturer = text("manufacturer");
-  product.revision = text("revision");
-  product.date = text("date");
-  product.unit =
-      head.choice<SheetUnit>(
-              "unit", {{"in", SheetUnit::inch}, {"ft", SheetUnit::foot}, {"m", SheetUnit::metre}})
-          .value_or(product.unit);
-  product.round_up_m = head.number("round_up_m", above_zero)
-                           .value_or(product.unit == SheetUnit::metre ? 0.01 : inch_m);
+  root.required_table("product");
+  read_keys(product_tables(), {"product", "hazard"}, root, product);
+  if (product.round_up_m == 0.0)
+    product.round_up_m = product.unit == SheetUnit::metre ? 0.01 : inch_m;
   read_targets(root, product);
   read_product_hazard(root, product);
   document.finish();

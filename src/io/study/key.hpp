@@ -66,7 +66,7 @@ struct Key : GrammarKey {
       : Key(name, how.value, how.usual, std::move(what), std::move(what_for)) {
     read = [name, how](const TomlTable& table, C& config) { how.read(table, name, config); };
   }
-  /// Of a project.
+  /// Of a project or product: with an example.
   Key(const char* name, std::string example, std::string standing, std::string what, auto how)
       : Key(name, Reading{std::move(example), std::move(standing), how.read}, std::move(what)) {}
 };
@@ -185,6 +185,14 @@ template <auto... Path>
 auto requires_number(NumberRule rule) {
   return Reading{"number", "required", [=](auto& table, auto key, auto& config) {
                    at<Path...>(config) = table.required_number(key, rule);
+                 }};
+}
+
+/// A text that must be there.
+template <auto... Path>
+auto requires_text() {
+  return Reading{"text", "required", [](auto& table, auto key, auto& config) {
+                   at<Path...>(config) = table.required_text(key);
                  }};
 }
 

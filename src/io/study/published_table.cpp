@@ -58,10 +58,7 @@ const KeyTable<PublishedPoint>& published_table() {
                   point.y = table.required_number(key, rule_of_y(point));
                 }},
         "as on the figure's axis: a displacement in m, or a slope in degrees"},
-       {"source",
-        Reading{
-            "text", "required",
-            [](auto& table, auto key, auto& point) { point.source = table.required_text(key); }},
+       {"source", requires_text<&PublishedPoint::source>(),
         "publication and value, for the figure's key"}}};
   return table;
 }

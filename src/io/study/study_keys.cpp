@@ -97,10 +97,7 @@ std::vector<StudyTable> tables_of_cases() {
   constexpr auto sampling = &StudyConfig::sampling;
   return {
       {"study",
-       {{"name",
-         Reading{"text", "required",
-                 [](auto& table, auto key, auto& study) { study.name = table.required_text(key); }},
-         "name of the study"},
+       {{"name", requires_text<&StudyConfig::name>(), "name of the study"},
         {"description", reads<&StudyConfig::description>(), "what it is, in a sentence"},
         {"seed", reads<&StudyConfig::seed>(0, std::numeric_limits<std::int64_t>::max()),
          "seed of the samples and of the bootstrap"},

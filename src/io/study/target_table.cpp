@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "enum_names.hpp"
 #include "glissade/io/suite_file.hpp"
 #include "glissade/motion/improbable.hpp"
 #include "text/csv_rows.hpp"
@@ -148,14 +149,11 @@ std::string read_hazard_analysis(const TomlTable& table) {
 }  // namespace
 
 DesignTarget read_target(const TomlTable& table, std::optional<DesignTarget>* mapped) {
-  const EnumNames<AsceEdition> editions = {{"asce7_10", AsceEdition::asce7_10},
-                                           {"asce7_16", AsceEdition::asce7_16},
-                                           {"asce7_22", AsceEdition::asce7_22}};
   DesignTarget target;
   if (!table.has("edition"))
     table.report_missing("edition",
                          "asce7_10, asce7_16 or asce7_22: their site coefficients differ");
-  target.edition = table.choice<AsceEdition>("edition", editions).value_or(target.edition);
+  target.edition = table.choice<AsceEdition>("edition", edition_names).value_or(target.edition);
   target.hazard_analysis = read_hazard_analysis(table);
   check_accelerations(table);
   const bool has_both = mapped != nullptr && table.has("spectrum") && table.has("ss_g");
