@@ -16,7 +16,7 @@
 #include "glissade/motion/improbable.hpp"
 #include "glissade/report/table.hpp"
 #include "glissade/standards/floor_acceleration.hpp"
-#include "put.hpp"
+#include "shared/put.hpp"
 
 namespace glissade::cli {
 namespace {

@@ -4,7 +4,7 @@
 #include "commands.hpp"
 #include "glissade/core/error.hpp"
 #include "glissade/io/study_grammar.hpp"
-#include "put.hpp"
+#include "shared/put.hpp"
 
 namespace glissade::cli {
 

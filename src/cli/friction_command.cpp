@@ -10,8 +10,8 @@
 #include "glissade/core/wrap.hpp"
 #include "glissade/io/pull_test_file.hpp"
 #include "glissade/report/friction_report.hpp"
-#include "output_rule.hpp"
-#include "put.hpp"
+#include "shared/output_rule.hpp"
+#include "shared/put.hpp"
 
 namespace glissade::cli {
 namespace {

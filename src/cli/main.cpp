@@ -14,9 +14,9 @@
 #include "glissade/io/written_number.hpp"
 #include "glissade/parallel/threads.hpp"
 #include "glissade/parallel/together.hpp"
-#include "help_formatter.hpp"
-#include "put.hpp"
-#include "say.hpp"
+#include "shared/help_formatter.hpp"
+#include "shared/put.hpp"
+#include "shared/say.hpp"
 
 namespace {
 

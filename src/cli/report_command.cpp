@@ -13,9 +13,9 @@
 #include "glissade/report/tables.hpp"
 #include "glissade/report/write_report.hpp"
 #include "glissade/study/run/reduce.hpp"
-#include "output_rule.hpp"
-#include "put.hpp"
 #include "run/run_record.hpp"
+#include "shared/output_rule.hpp"
+#include "shared/put.hpp"
 
 namespace glissade::cli {
 namespace {

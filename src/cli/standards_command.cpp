@@ -15,7 +15,7 @@
 #include "glissade/report/format.hpp"
 #include "glissade/report/standards_tables.hpp"
 #include "glissade/sampling/pull_test.hpp"
-#include "put.hpp"
+#include "shared/put.hpp"
 
 namespace glissade::cli {
 namespace {

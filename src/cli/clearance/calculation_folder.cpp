@@ -15,10 +15,10 @@
 #include "glissade/io/suite_file.hpp"
 #include "glissade/parallel/together.hpp"
 #include "glissade/study/plan/plan.hpp"
-#include "output_rule.hpp"
-#include "put.hpp"
 #include "run/run_folder.hpp"
 #include "run/run_study.hpp"
+#include "shared/output_rule.hpp"
+#include "shared/put.hpp"
 
 namespace glissade::cli {
 namespace {

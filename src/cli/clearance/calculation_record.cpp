@@ -7,8 +7,8 @@
 
 #include "glissade/core/error.hpp"
 #include "glissade/core/file.hpp"
-#include "put.hpp"
 #include "run/run_record.hpp"
+#include "shared/put.hpp"
 
 namespace glissade::cli {
 namespace {

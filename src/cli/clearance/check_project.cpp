@@ -16,8 +16,8 @@
 #include "glissade/io/suite_file.hpp"
 #include "glissade/report/format.hpp"
 #include "glissade/study/plan/plan.hpp"
-#include "output_rule.hpp"
-#include "put.hpp"
+#include "shared/output_rule.hpp"
+#include "shared/put.hpp"
 
 namespace glissade::cli {
 namespace {

@@ -4,7 +4,6 @@
 #include <filesystem>
 #include <optional>
 
-#include "build.hpp"
 #include "clearance/calculation_folder.hpp"
 #include "commands.hpp"
 #include "glissade/core/error.hpp"
@@ -18,8 +17,9 @@
 #include "glissade/parallel/together.hpp"
 #include "glissade/report/package.hpp"
 #include "glissade/report/site_sheets.hpp"
-#include "output_rule.hpp"
-#include "put.hpp"
+#include "shared/build.hpp"
+#include "shared/output_rule.hpp"
+#include "shared/put.hpp"
 
 namespace glissade::cli {
 namespace {

@@ -3,7 +3,6 @@
 
 #include <optional>
 
-#include "build.hpp"
 #include "clearance/calculation_folder.hpp"
 #include "commands.hpp"
 #include "glissade/core/error.hpp"
@@ -13,7 +12,8 @@
 #include "glissade/io/suite_file.hpp"
 #include "glissade/parallel/together.hpp"
 #include "glissade/report/product_sheet.hpp"
-#include "put.hpp"
+#include "shared/build.hpp"
+#include "shared/put.hpp"
 
 namespace glissade::cli {
 namespace {

@@ -10,7 +10,7 @@
 #include "glissade/core/error.hpp"
 #include "glissade/core/finite.hpp"
 #include "glissade/io/fit_input.hpp"
-#include "say.hpp"
+#include "shared/say.hpp"
 
 namespace glissade::cli {
 namespace {

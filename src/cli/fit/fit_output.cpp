@@ -6,10 +6,10 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "finding.hpp"
 #include "glissade/core/finite.hpp"
 #include "glissade/report/format.hpp"
-#include "put.hpp"
+#include "shared/finding.hpp"
+#include "shared/put.hpp"
 
 namespace glissade::cli {
 namespace {

@@ -6,7 +6,7 @@
 
 #include <algorithm>
 
-#include "say.hpp"
+#include "shared/say.hpp"
 
 namespace glissade::cli {
 

@@ -8,7 +8,6 @@
 #include <filesystem>
 #include <optional>
 
-#include "build.hpp"
 #include "commands.hpp"
 #include "glissade/core/bytes.hpp"
 #include "glissade/core/file.hpp"
@@ -25,13 +24,14 @@
 #include "glissade/report/write_report.hpp"
 #include "glissade/study/plan/plan.hpp"
 #include "glissade/study/run/reduce.hpp"
-#include "output_rule.hpp"
-#include "put.hpp"
 #include "run/run_folder.hpp"
 #include "run/run_record.hpp"
 #include "run/run_study.hpp"
 #include "run/run_units.hpp"
 #include "run/stop_request.hpp"
+#include "shared/build.hpp"
+#include "shared/output_rule.hpp"
+#include "shared/put.hpp"
 
 namespace glissade::cli {
 namespace {

@@ -19,8 +19,8 @@
 #include "glissade/report/report_files.hpp"
 #include "glissade/report/write_report.hpp"
 #include "glissade/study/run/exchange.hpp"
-#include "output_rule.hpp"
-#include "put.hpp"
+#include "shared/output_rule.hpp"
+#include "shared/put.hpp"
 
 namespace glissade::cli {
 

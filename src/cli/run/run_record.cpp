@@ -11,7 +11,7 @@
 
 #include "glissade/core/error.hpp"
 #include "glissade/core/file.hpp"
-#include "put.hpp"
+#include "shared/put.hpp"
 
 namespace glissade::cli {
 

@@ -6,7 +6,6 @@
 #include <nlohmann/json.hpp>
 
 #include "commands.hpp"
-#include "finding.hpp"
 #include "glissade/block/tipping.hpp"
 #include "glissade/core/error.hpp"
 #include "glissade/core/finite.hpp"
@@ -19,7 +18,8 @@
 #include "glissade/motion/roof_words.hpp"
 #include "glissade/sampling/pull_test.hpp"
 #include "glissade/study/plan/one_mass.hpp"
-#include "put.hpp"
+#include "shared/finding.hpp"
+#include "shared/put.hpp"
 #include "slide/slide_history.hpp"
 
 namespace glissade::cli {

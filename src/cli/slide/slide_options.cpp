@@ -11,7 +11,7 @@
 #include "glissade/core/error.hpp"
 #include "glissade/io/record_file.hpp"
 #include "glissade/study/cases/case_scene.hpp"
-#include "output_rule.hpp"
+#include "shared/output_rule.hpp"
 
 namespace glissade::cli {
 namespace {

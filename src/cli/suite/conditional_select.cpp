@@ -11,8 +11,8 @@
 #include "glissade/core/wrap.hpp"
 #include "glissade/io/suite_writer.hpp"
 #include "glissade/report/conditional_figure.hpp"
-#include "output_rule.hpp"
-#include "put.hpp"
+#include "shared/output_rule.hpp"
+#include "shared/put.hpp"
 #include "suite/selection_output.hpp"
 
 namespace glissade::cli {

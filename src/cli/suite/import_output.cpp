@@ -9,7 +9,7 @@
 
 #include "glissade/core/error.hpp"
 #include "glissade/core/wrap.hpp"
-#include "put.hpp"
+#include "shared/put.hpp"
 
 namespace glissade::cli {
 namespace {

@@ -8,7 +8,7 @@
 #include <map>
 
 #include "glissade/io/suite_file.hpp"
-#include "put.hpp"
+#include "shared/put.hpp"
 
 namespace glissade::cli {
 namespace {

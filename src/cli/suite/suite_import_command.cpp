@@ -11,8 +11,8 @@
 #include "glissade/core/wrap.hpp"
 #include "glissade/io/suite_import.hpp"
 #include "glissade/report/table.hpp"
-#include "output_rule.hpp"
-#include "put.hpp"
+#include "shared/output_rule.hpp"
+#include "shared/put.hpp"
 #include "suite/import_output.hpp"
 
 namespace glissade::cli {

@@ -15,8 +15,8 @@
 #include "glissade/motion/record_selection.hpp"
 #include "glissade/motion/suite_scaling.hpp"
 #include "glissade/report/table.hpp"
-#include "output_rule.hpp"
-#include "put.hpp"
+#include "shared/output_rule.hpp"
+#include "shared/put.hpp"
 #include "suite/conditional_select.hpp"
 #include "suite/selection_output.hpp"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "help_formatter.hpp"
+#include "shared/help_formatter.hpp"
 
 #include <fmt/format.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "say.hpp"
+#include "shared/say.hpp"
 
 #include <fcntl.h>
 #include <signal.h>

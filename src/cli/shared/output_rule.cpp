@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "output_rule.hpp"
+#include "shared/output_rule.hpp"
 
 #include <fcntl.h>
 #include <fmt/format.h>

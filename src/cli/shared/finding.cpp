@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "finding.hpp"
+#include "shared/finding.hpp"
 
 #include <fmt/format.h>
 
@@ -39,7 +39,11 @@ nlohmann::ordered_json to_json(const std::vector<Finding>& findings) {
 }
 
 Table to_table(const std::string& title, const std::vector<Finding>& findings) {
-  Table table{"findings", title, {text_column("quantity", "Quantity"), text_column("value", "Value")}, {}, {}};
+  Table table{"findings",
+              title,
+              {text_column("quantity", "Quantity"), text_column("value", "Value")},
+              {},
+              {}};
   const bool has_intervals =
       std::ranges::any_of(findings, [](const Finding& f) { return !interval_text(f).empty(); });
   if (has_intervals) table.columns.push_back(text_column("interval", "95 % interval"));

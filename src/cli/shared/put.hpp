@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "glissade/core/printable.hpp"
-#include "say.hpp"
+#include "shared/say.hpp"
 
 // All that commands print to standard output. Names and paths that stand in it do not act on the
 // terminal (printable).

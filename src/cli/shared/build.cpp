@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "build.hpp"
+#include "shared/build.hpp"
 
 #include "commit.hpp"  // made by the build
 
