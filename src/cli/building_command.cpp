@@ -9,7 +9,6 @@
 #include "commands.hpp"
 #include "glissade/building/modes.hpp"
 #include "glissade/core/error.hpp"
-#include "glissade/core/wrap.hpp"
 #include "glissade/io/mode_file.hpp"
 #include "glissade/io/suite_file.hpp"
 #include "glissade/motion/design_spectrum.hpp"
@@ -186,8 +185,7 @@ void run(const BuildingOptions& o) {
     return put_json(json);
   }
   put("{}\n", to_text(modes_table(modes, all.size())));
-  for (const std::string& warning : warnings)
-    put("{}\n", wrapped("WARNING: " + warning, terminal_width, 2));
+  put_warnings(warnings);
   if (!roof) return;
   put("Peak roof acceleration under the design spectrum, S_DS = {:.4g} g, S_D1 = {:.4g} g{}\n"
       "  modes (SRSS)                        {:.3g} g\n"
@@ -200,13 +198,13 @@ void run(const BuildingOptions& o) {
                           : " (assumed)",
       roof->by_modes, roof->one_mass, roof->asce7_16, roof->asce7_22);
   if (all.size() == 1) return;
-  put("\n{}\n",
-      wrapped(fmt::format("A study with [building] period_s = {:.3g} computes one mass, whose peak "
-                          "roof acceleration is {:.2g} times that of the modes. State "
-                          "alpha, storeys or modes in [building], or use motions of its roof "
-                          "(studies/README.md, The model).",
-                          modes.front().period_s, roof->one_mass / roof->by_modes),
-              terminal_width, 0));
+  put("\n");
+  put_lines(fmt::format("A study with [building] period_s = {:.3g} computes one mass, whose peak "
+                        "roof acceleration is {:.2g} times that of the modes. State "
+                        "alpha, storeys or modes in [building], or use motions of its roof "
+                        "(studies/README.md, The model).",
+                        modes.front().period_s, roof->one_mass / roof->by_modes),
+            0);
 }
 
 }  // namespace

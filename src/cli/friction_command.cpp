@@ -6,10 +6,9 @@
 #include <nlohmann/json.hpp>
 
 #include "commands.hpp"
-#include "glissade/core/error.hpp"
-#include "glissade/core/wrap.hpp"
 #include "glissade/io/pull_test_file.hpp"
 #include "glissade/report/friction_report.hpp"
+#include "shared/option_errors.hpp"
 #include "shared/output_rule.hpp"
 #include "shared/put.hpp"
 
@@ -23,20 +22,6 @@ struct FrictionOptions {
   SlidingRule rule;
   bool json = false, overwrite = false;
 };
-
-/// The options' names for the rule's.
-void check(const SlidingRule& rule) {
-  try {
-    validate(rule);
-  } catch (const InputError& error) {
-    ProblemList problems;
-    for (Problem problem : error.problems()) {
-      problem.where = problem.where == "slip_m" ? "--slip-m" : "--sliding-from-m";
-      problems.add(problem);
-    }
-    problems.throw_if_any();
-  }
-}
 
 /// NaN, of one test, becomes null.
 Json to_json(const MuStatistics& s) {
@@ -84,11 +69,12 @@ void print(const PullTestSummary& summary) {
   if (!summary.tests.empty()) put("{}\n", to_text(pull_tests_table(summary)));
   put("{}", to_text(friction_table(summary)));
   if (!summary.notes.empty()) put("\n");
-  for (const std::string& note : summary.notes) put("note  {}\n", wrapped(note, terminal_width, 6));
+  for (const std::string& note : summary.notes) put_note(note);
 }
 
 void run(const FrictionOptions& o) {
-  check(o.rule);
+  with_problems([](Problem& p) { p.where = p.where == "slip_m" ? "--slip-m" : "--sliding-from-m"; },
+                [&] { validate(o.rule); });
   if (!o.out.empty()) check_output_folder(o.out, o.overwrite);
   const auto [tests, summary] = read_pull_test_results(o.tests, o.rule);
   if (!o.out.empty()) {

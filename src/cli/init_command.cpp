@@ -16,6 +16,7 @@
 #include "glissade/io/suite_file.hpp"
 #include "glissade/motion/improbable.hpp"
 #include "glissade/report/format.hpp"
+#include "shared/option_errors.hpp"
 #include "shared/output_rule.hpp"
 #include "shared/put.hpp"
 
@@ -147,16 +148,13 @@ std::optional<DesignTarget> write_checked(const InitOptions& o, const ExampleFil
   std::optional<DesignTarget> target;
   write_file(o.file, [&](OutputFile& file, const fs::path& partial) {
     file.write((o.is_project() ? "" : study_head) + example.text());
-    try {
-      if (o.is_project())
-        static_cast<void>(read_project(partial));
-      else
-        target = target_of(read_study(partial));
-    } catch (const InputError& error) {
-      std::vector<Problem> problems = error.problems();
-      for (Problem& problem : problems) problem.where = option_of(problem.what);
-      throw InputError(problems);
-    }
+    with_problems([](Problem& problem) { problem.where = option_of(problem.what); },
+                  [&] {
+                    if (o.is_project())
+                      static_cast<void>(read_project(partial));
+                    else
+                      target = target_of(read_study(partial));
+                  });
   });
   return target;
 }

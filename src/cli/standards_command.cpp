@@ -10,7 +10,6 @@
 #include "commands.hpp"
 #include "glissade/core/error.hpp"
 #include "glissade/core/units.hpp"
-#include "glissade/core/wrap.hpp"
 #include "glissade/motion/improbable.hpp"
 #include "glissade/report/format.hpp"
 #include "glissade/report/standards_tables.hpp"
@@ -150,8 +149,7 @@ void run(const StandardsOptions& o) {
     return;
   }
   put("Prescribed displacement of an unanchored array at S_DS = {:g} g, in plan\n", o.sds_g);
-  for (const std::string& warning : warnings_on(o))
-    put("{}\n", wrapped("WARNING: " + warning, terminal_width, 2));
+  put_warnings(warnings_on(o));
   put("{}\n", to_text(displacements_table(provisions)));
   std::vector<StandardSeparations> separations;
   for (const Provision& p : provisions)
@@ -161,7 +159,7 @@ void run(const StandardsOptions& o) {
   for (const std::string& note :
        {analysis_provision(Standard::asce7_16), analysis_provision(Standard::seaoc_pv1_2012),
         pull_test_provision()})
-    put("note  {}\n", wrapped(note + " (recalled: verify)", terminal_width, 6));
+    put_note(note + " (recalled: verify)");
 }
 
 }  // namespace

@@ -73,4 +73,11 @@ void on_root(const Communicator& world, const std::function<void()>& step) {
   });
 }
 
+bool root_says(const Communicator& world, const std::function<bool()>& question) {
+  std::vector<char> answer(1);
+  on_root(world, [&] { answer[0] = question() ? 1 : 0; });
+  world.broadcast(answer);
+  return answer[0] != 0;
+}
+
 }  // namespace glissade

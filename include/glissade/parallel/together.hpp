@@ -26,4 +26,7 @@ void together(const Communicator& world, const std::function<void()>& step);
 /// The same of a step of root alone, for which the others wait.
 void on_root(const Communicator& world, const std::function<void()>& step);
 
+/// Root's answer, on every rank. Collective, and as on_root().
+bool root_says(const Communicator& world, const std::function<bool()>& question);
+
 }  // namespace glissade

@@ -92,19 +92,17 @@ void CalculationFolder::run(const std::string& name,
   const fs::path file = path_ / (name + ".toml"), folder = path_ / name;
   std::optional<std::string> earlier;
   try {
-    std::vector<char> goes_on(1);
-    on_root(world_, [&] {
+    const bool goes_on = root_says(world_, [&] {
       const std::string study = text();
       if (fs::exists(file)) earlier = read_text_file(file);
       write_text_file(file, study);
       const bool resumes = !options_.resume.empty(), is_done = resumes && has_results(folder);
       if (is_done) check_results(folder, file, study);
-      goes_on[0] = is_done || (resumes && has_identity(folder)) ? 1 : 0;
+      return is_done || (resumes && has_identity(folder));
     });
-    world_.broadcast(goes_on);
     run_study({.study = file.string(),
-               .out = goes_on[0] != 0 ? "" : folder.string(),
-               .resume = goes_on[0] != 0 ? folder.string() : "",
+               .out = goes_on ? "" : folder.string(),
+               .resume = goes_on ? folder.string() : "",
                .overwrite = options_.overwrite || !options_.resume.empty(),
                .quiet = true,
                .stop_file = path_ / "stop"},

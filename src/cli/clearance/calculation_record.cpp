@@ -30,6 +30,18 @@ CalculationJson head_of_calculation(const CalculationIdentity& identity, RunStat
           {"status", name_of(state)}};
 }
 
+/// run.json of a finished one.
+/// @param program that made it, of one program; @param results what it found
+void write_end(const CalculationIdentity& identity, const CalculationJson& program, int ranks,
+               const CalculationJson& results, const fs::path& folder) {
+  CalculationJson json = head_of_calculation(identity, RunState::finished);
+  json.update(program);
+  json["finished_utc"] = now_utc();
+  json["ranks"] = ranks;
+  json.update(results);
+  write_text_file(folder / "run.json", json_text(json));
+}
+
 void add_results(CalculationJson& json, const DesignClearance& design) {
   json["governing_m"] = design.governing_m;
   json["rounded_m"] = design.rounded_m;
@@ -174,15 +186,13 @@ void write_finished_calculation(const CalculationIdentity& identity,
                                 const CalculationPackage& package, int ranks,
                                 const fs::path& folder) {
   write_text_file(folder / "package.json", numbers_json(package));
-  CalculationJson json = head_of_calculation(identity, RunState::finished);
-  json["program_version"] = package.demand.program_version;
-  json["build"] = package.build;
-  json["finished_utc"] = now_utc();
-  json["ranks"] = ranks;
-  json["studies"] = {"demand/run.json", "probability/run.json"};
-  add_results(json, package.design);
-  json["warnings"] = warnings_of(package);
-  write_text_file(folder / "run.json", json_text(json));
+  CalculationJson results;
+  results["studies"] = {"demand/run.json", "probability/run.json"};
+  add_results(results, package.design);
+  results["warnings"] = warnings_of(package);
+  write_end(identity,
+            {{"program_version", package.demand.program_version}, {"build", package.build}}, ranks,
+            results, folder);
 }
 
 void write_finished_sites(const CalculationIdentity& identity, const SiteSheets& sheets, int ranks,
@@ -200,10 +210,8 @@ void write_finished_sites(const CalculationIdentity& identity, const SiteSheets&
          {"largest_required_m", site.largest_required_m},
          {"verdict", site.verdict}});
   write_text_file(folder / "sites.json", json_text(numbers));
-  CalculationJson json = head_of_calculation(identity, RunState::finished);
-  json["finished_utc"] = now_utc();
-  json["ranks"] = ranks;
-  write_text_file(folder / "run.json", json_text(json));
+  const CalculationJson none = CalculationJson::object();
+  write_end(identity, none, ranks, none, folder);
 }
 
 void write_finished_product(const CalculationIdentity& identity, const ProductSheet& sheet,
@@ -222,12 +230,8 @@ void write_finished_product(const CalculationIdentity& identity, const ProductSh
     }
   }
   write_text_file(folder / "product.json", json_text(numbers));
-  CalculationJson json = head_of_calculation(identity, RunState::finished);
-  json["program_version"] = sheet.program_version;
-  json["build"] = sheet.build;
-  json["finished_utc"] = now_utc();
-  json["ranks"] = ranks;
-  write_text_file(folder / "run.json", json_text(json));
+  write_end(identity, {{"program_version", sheet.program_version}, {"build", sheet.build}}, ranks,
+            CalculationJson::object(), folder);
 }
 
 std::string resume_calculation_command(const fs::path& folder) {

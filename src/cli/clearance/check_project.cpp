@@ -120,7 +120,7 @@ void check_product(const fs::path& file, const fs::path& out) {
         plan_of(trial.path() / (name + ".toml"), product_study(product, i, trial.path()), suite);
     for (const std::string& warning : plan.warnings) {
       if (std::ranges::find(shown, warning) != shown.end()) continue;
-      put("{}\n", wrapped("WARNING: " + warning, terminal_width, 2));
+      put_warning(warning);
       shown.push_back(warning);
     }
     print_plan(name.c_str(), plan);
@@ -153,8 +153,7 @@ void check_one(const Project& project) {
   for (const DesignCheck& check : checks_before_analysis(project, suite.motions.size()))
     if (!check.is_met) warnings.push_back(not_met_text(check));
   put("{:<12}{}\n", "project", wrapped(project.title.name, terminal_width, 12));
-  for (const std::string& warning : warnings)
-    put("{}\n", wrapped("WARNING: " + warning, terminal_width, 2));
+  put_warnings(warnings);
   put("{:<12}S_DS {:.3f} g, S_D1 {:.3f} g, category {}\n", "site", site.sds_g, site.sd1_g,
       category_text(project.site, site));
   print_inputs(project);

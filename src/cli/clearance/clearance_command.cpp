@@ -120,12 +120,11 @@ void run_sites(const ClearanceOptions& options, const Communicator& world, std::
     SiteSheets sheets;
     for (std::size_t i = 0; i < sites; ++i) {
       const std::string part = (folder.path() / site_folder(i)).string();
-      std::vector<char> goes_on(1);
-      on_root(world, [&] { goes_on[0] = !options.resume.empty() && is_calculation(part) ? 1 : 0; });
-      world.broadcast(goes_on);
+      const bool goes_on =
+          root_says(world, [&] { return !options.resume.empty() && is_calculation(part); });
       const ClearanceOptions of_site{.project = folder.identity().project.string(),
-                                     .out = goes_on[0] != 0 ? "" : part,
-                                     .resume = goes_on[0] != 0 ? part : "",
+                                     .out = goes_on ? "" : part,
+                                     .resume = goes_on ? part : "",
                                      .overwrite = options.overwrite || !options.resume.empty()};
       Calculation calculation(of_site, world, i);
       calculation.run();
@@ -200,14 +199,11 @@ void add_clearance(CLI::App& program, const Communicator& world) {
       throw CLI::ValidationError(
           "clearance",
           "no project file is given; `glissade clearance --example` prints one to begin with");
-    std::vector<char> of_product(1);
-    on_root(world, [&] {
-      const bool resumes = !o->resume.empty();
-      of_product[0] =
-          is_product(resumes ? read_calculation(o->resume).project : fs::path(o->project)) ? 1 : 0;
+    const bool of_product = root_says(world, [&] {
+      return is_product(o->resume.empty() ? fs::path(o->project)
+                                          : read_calculation(o->resume).project);
     });
-    world.broadcast(of_product);
-    of_product[0] != 0 ? run_product(*o, world) : run_calculation(*o, world);
+    of_product ? run_product(*o, world) : run_calculation(*o, world);
   });
 }
 

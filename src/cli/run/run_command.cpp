@@ -11,7 +11,6 @@
 #include "commands.hpp"
 #include "glissade/core/bytes.hpp"
 #include "glissade/core/file.hpp"
-#include "glissade/core/wrap.hpp"
 #include "glissade/io/journal.hpp"
 #include "glissade/io/product_file.hpp"
 #include "glissade/io/project_file.hpp"
@@ -86,10 +85,10 @@ void write_all(const Plan& whole, RunHistories& all, std::uint64_t resumed,
   if (options.quiet) return;
   put("{}\n", summary_text(results, skips));
   print_seconds(clock, ranks);
-  put("{}\n", wrapped(fmt::format("Histories integrated: {} at the levels, {} in search of "
-                                  "capacities, on {} roof motions",
-                                  count.integrated, count.searched, count.roofs),
-                      terminal_width, 2));
+  put_lines(fmt::format("Histories integrated: {} at the levels, {} in search of capacities, on {} "
+                        "roof motions",
+                        count.integrated, count.searched, count.roofs),
+            2);
   print_where(out);
 }
 
@@ -320,16 +319,13 @@ void add_run(CLI::App& program, const Communicator& world) {
       ->required();
   check->add_option("--out", options->out, "results folder to check [as of run]");
   check->callback([options, world] {
-    bool of_project = false;
-    on_root(world, [&] {
+    const bool is_study = root_says(world, [&] {
       const bool of_product = is_product(options->study);
-      of_project = of_product || is_project(options->study);
-      if (of_project)
-        (of_product ? check_product : check_project)(options->study, options->folder());
+      if (!of_product && !is_project(options->study)) return true;
+      (of_product ? check_product : check_project)(options->study, options->folder());
+      return false;
     });
-    std::vector<char> ends(1, of_project ? 1 : 0);
-    world.broadcast(ends);
-    if (ends[0] != 0) return;
+    if (!is_study) return;
     options->dry_run = true;
     run_study(*options, world);
   });

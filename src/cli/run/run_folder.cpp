@@ -13,7 +13,6 @@
 #include "glissade/core/bytes.hpp"
 #include "glissade/core/file.hpp"
 #include "glissade/core/folder.hpp"
-#include "glissade/core/wrap.hpp"
 #include "glissade/io/results_file.hpp"
 #include "glissade/io/study_file.hpp"
 #include "glissade/report/report_files.hpp"
@@ -361,9 +360,9 @@ void print_seconds(const PhaseClock& clock, int ranks) {
     phases += fmt::format("{}{} {:.2f}", phases.empty() ? "" : ", ", phase, seconds);
     total += seconds;
   }
-  put("{}\n", wrapped(fmt::format("Seconds on {} rank{}: {:.2f} ({})", ranks, ranks == 1 ? "" : "s",
-                                  total, phases),
-                      terminal_width, 2));
+  put_lines(
+      fmt::format("Seconds on {} rank{}: {:.2f} ({})", ranks, ranks == 1 ? "" : "s", total, phases),
+      2);
 }
 
 void print_where(const fs::path& folder) {

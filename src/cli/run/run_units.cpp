@@ -55,13 +55,6 @@ void end_if_stopped(std::uint64_t all, std::uint64_t done_earlier, std::uint64_t
   });
 }
 
-/// Whether root has enough; the same on every rank.
-bool agreed(bool is_enough, const Communicator& world) {
-  std::vector<char> message(1, is_enough ? 1 : 0);
-  world.broadcast(message);
-  return message.front() != 0;
-}
-
 }  // namespace
 
 void run_units(const Plan& plan, const PlanPart& part, Skipping skipping, RunHistories* all,
@@ -107,7 +100,7 @@ void run_units(const Plan& plan, const PlanPart& part, Skipping skipping, RunHis
         [&](const std::vector<char>& unit) { all->add(unpack_unit_result(unit)); });
     if (all != nullptr) all->sampling.end_block();
     before += missing.size();
-    if (agreed(all != nullptr && all->sampling.is_enough(), world)) break;
+    if (root_says(world, [&] { return all->sampling.is_enough(); })) break;
   }
   if (!part.is_all()) return;
   auto numbers = numbered_parts(motion_part_count(plan), world.gather(my_motion_parts.take()));

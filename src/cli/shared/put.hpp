@@ -6,8 +6,10 @@
 #include <nlohmann/json.hpp>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "glissade/core/printable.hpp"
+#include "glissade/core/wrap.hpp"
 #include "shared/say.hpp"
 
 // All that commands print to standard output. Names and paths that stand in it do not act on the
@@ -30,6 +32,16 @@ inline std::string json_text(const nlohmann::ordered_json& json) {
 inline nlohmann::ordered_json or_null(double value) {
   return value > 0.0 ? nlohmann::ordered_json(value) : nlohmann::ordered_json();
 }
+
+/// In lines of the terminal, with so many blanks before those after the first.
+inline void put_lines(const std::string& text, std::size_t indent) {
+  put("{}\n", wrapped(text, terminal_width, indent));
+}
+inline void put_warning(const std::string& text) { put_lines("WARNING: " + text, 2); }
+inline void put_warnings(const std::vector<std::string>& texts) {
+  for (const std::string& text : texts) put_warning(text);
+}
+inline void put_note(const std::string& text) { put_lines("note  " + text, 6); }
 
 inline void put_json(const nlohmann::ordered_json& json) { put_text(json_text(json)); }
 

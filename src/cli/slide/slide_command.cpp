@@ -19,6 +19,7 @@
 #include "glissade/sampling/pull_test.hpp"
 #include "glissade/study/plan/one_mass.hpp"
 #include "shared/finding.hpp"
+#include "shared/option_errors.hpp"
 #include "shared/put.hpp"
 #include "slide/slide_history.hpp"
 
@@ -40,14 +41,12 @@ std::string with_options(std::string text) {
 Record read_component(const std::string& name, RecordFileOptions options) {
   const ComponentAddress address = split_address(name);
   options.component = address.component;
-  try {
-    return read_record(address.file, options);
-  } catch (const InputError& error) {
-    std::vector<Problem> problems = error.problems();
-    for (Problem& p : problems)
-      p.what = with_options(p.what), p.suggestion = with_options(p.suggestion);
-    throw InputError(problems);
-  }
+  return with_problems(
+      [](Problem& p) {
+        p.what = with_options(p.what);
+        p.suggestion = with_options(p.suggestion);
+      },
+      [&] { return read_record(address.file, options); });
 }
 
 /// A component as its file has it.

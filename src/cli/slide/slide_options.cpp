@@ -170,22 +170,20 @@ void check(SlideOptions& o) {
       problems.add({option, fmt::format("{:g} {}", value, rule), "", ""});
   };
   take_case(o, problems);
-  if (o.scale) require(*o.scale > 0.0, "--scale", *o.scale, "must be > 0");
-  if (o.pga_g) require(*o.pga_g > 0.0, "--pga-g", *o.pga_g, "must be > 0");
-  if (o.dt_s) require(*o.dt_s > 0.0, "--dt-s", *o.dt_s, "must be > 0");
-  if (o.counts_per_unit)
-    require(*o.counts_per_unit > 0.0, "--counts-per-unit", *o.counts_per_unit, "must be > 0");
-  if (o.cm_height_m)
-    require(*o.cm_height_m > 0.0, "--centre-of-mass-height-m", *o.cm_height_m, "must be > 0");
-  if (o.base_width_m)
-    require(*o.base_width_m > 0.0, "--base-width-m", *o.base_width_m, "must be > 0");
+  for (const auto& [option, value] : {std::pair{"--scale", o.scale},
+                                      {"--pga-g", o.pga_g},
+                                      {"--dt-s", o.dt_s},
+                                      {"--counts-per-unit", o.counts_per_unit},
+                                      {"--centre-of-mass-height-m", o.cm_height_m},
+                                      {"--base-width-m", o.base_width_m},
+                                      {"--clearance-m", o.clearance_m}})
+    if (value) require(*value > 0.0, option, *value, "must be > 0");
   if (o.cm_height_m.has_value() != o.base_width_m.has_value()) {
     problems.add({o.cm_height_m ? "--centre-of-mass-height-m" : "--base-width-m",
                   "is one half of what the tipping check needs",
                   o.cm_height_m ? "give --base-width-m too" : "give --centre-of-mass-height-m too",
                   ""});
   }
-  if (o.clearance_m) require(*o.clearance_m > 0.0, "--clearance-m", *o.clearance_m, "must be > 0");
   require(o.substeps() >= 1, "--substeps", o.substeps(), "must be at least 1");
   if (o.method != "event" && o.method != "rodriguez-nikl") {
     problems.add({"--method", o.method + " is not a method", "give event or rodriguez-nikl", ""});

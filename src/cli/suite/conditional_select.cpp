@@ -8,9 +8,9 @@
 #include <filesystem>
 
 #include "glissade/core/file.hpp"
-#include "glissade/core/wrap.hpp"
 #include "glissade/io/suite_writer.hpp"
 #include "glissade/report/conditional_figure.hpp"
+#include "shared/option_errors.hpp"
 #include "shared/output_rule.hpp"
 #include "shared/put.hpp"
 #include "suite/selection_output.hpp"
@@ -88,13 +88,13 @@ Table comparison_table(const ConditionalOutcome& o) {
 }
 
 void print(const ConditionalOutcome& o) {
-  put("{}\n", wrapped("target: " + o.request.target.sentence(o.target), terminal_width, 8));
-  for (const std::string& warning : warnings_of(o))
-    put("{}\n", wrapped("WARNING: " + warning, terminal_width, 0));
+  put_lines("target: " + o.request.target.sentence(o.target), 8);
+  put_warnings(warnings_of(o));
   put("{} candidates of {} records\n\n", o.selection.candidates, o.library.motions.size());
   put("{}\n{}", to_text(selected_table(o.library, o.selection.records)),
       to_text(comparison_table(o)));
-  put("\n{}\n", wrapped(errors_line(o), terminal_width, 2));
+  put("\n");
+  put_lines(errors_line(o), 2);
   put_left_out(o.library, o.selection.left_out);
 }
 
@@ -139,15 +139,6 @@ std::string suite_text(const ConditionalOutcome& o) {
   return suite_of_records_toml(request.library, head, records, fs::path(request.out).parent_path());
 }
 
-ConditionalSelection select(const Suite& library, const ConditionalTarget& target,
-                            const ConditionalRequest& request) {
-  try {
-    return select_conditional(library, target, request.criteria, request.seed);
-  } catch (const InputError& error) {
-    throw by_options(error);
-  }
-}
-
 }  // namespace
 
 void select_to_conditional(const ConditionalRequest& request) {
@@ -155,7 +146,9 @@ void select_to_conditional(const ConditionalRequest& request) {
   check_output_file(request.out, "--out", request.overwrite);
   if (!request.figures.empty()) check_output_folder(request.figures, request.overwrite);
   const Suite library = load_library(request.library);
-  const ConditionalSelection selection = select(library, target, request);
+  const ConditionalSelection selection = with_problems(by_option, [&] {
+    return select_conditional(library, target, request.criteria, request.seed);
+  });
   const ConditionalOutcome outcome{request, library, target, selection};
   if (!request.out.empty()) write_text_file(request.out, suite_text(outcome));
   if (!request.figures.empty()) {

@@ -8,7 +8,7 @@
 #include <cmath>
 
 #include "glissade/core/error.hpp"
-#include "glissade/core/wrap.hpp"
+#include "shared/option_errors.hpp"
 #include "shared/put.hpp"
 
 namespace glissade::cli {
@@ -38,14 +38,9 @@ RecordFileOptions MissingOptions::of_files() const {
   if (dt_s && !(std::isfinite(*dt_s) && *dt_s > 0.0))
     throw InputError({"--dt-s", fmt::format("{} s is not above 0", *dt_s), "give the step", ""});
   options.dt_s = dt_s;
-  if (units.empty()) return options;
-  try {
-    options.units_if_not_stated = parse_acceleration_units(units);
-  } catch (const InputError& error) {
-    Problem problem = error.problems().front();
-    problem.where = "--units";
-    throw InputError(problem);
-  }
+  if (!units.empty())
+    options.units_if_not_stated =
+        of_option("--units", [&] { return parse_acceleration_units(units); });
   return options;
 }
 
@@ -81,11 +76,9 @@ Table components_table(const SuiteImport& found) {
 }
 
 void put_warnings(const SuiteImport& found) {
-  for (const std::string& warning : found.warnings)
-    put("{}\n", wrapped("WARNING: the report " + warning, terminal_width, 0));
+  for (const std::string& warning : found.warnings) put_warning("the report " + warning);
   for (const ImportedRecord& record : found.records)
-    for (const std::string& warning : record.warnings)
-      put("{}\n", wrapped("WARNING: " + record.id + ": " + warning, terminal_width, 0));
+    for (const std::string& warning : record.warnings) put_warning(record.id + ": " + warning);
 }
 
 void put_left_out(const SuiteImport& found) {
@@ -93,8 +86,7 @@ void put_left_out(const SuiteImport& found) {
   if (found.left_out.empty()) return;
   put("\nleft out:\n");
   for (std::size_t i = 0; i < std::min(most, found.left_out.size()); ++i)
-    put("{}\n", wrapped("  " + found.left_out[i].what + ": " + found.left_out[i].reason,
-                        terminal_width, 4));
+    put_lines("  " + found.left_out[i].what + ": " + found.left_out[i].reason, 4);
   if (found.left_out.size() > most)
     put("  and {} more: --json lists all\n", found.left_out.size() - most);
   put("Units and steps that files do not state: --units, --dt-s\n");

@@ -23,7 +23,7 @@ std::vector<const char*> reasons_of(const LeftOutRecord& record) {
 
 }  // namespace
 
-InputError by_options(const InputError& error) {
+void by_option(Problem& problem) {
   static const std::map<std::string, std::string> options = {
       {"count", "--count"},
       {"magnitude", "--min-magnitude, --max-magnitude"},
@@ -31,12 +31,8 @@ InputError by_options(const InputError& error) {
       {"vs30_mps", "--min-vs30-mps, --max-vs30-mps"},
       {"max_scale", "--max-scale"},
       {"per_event", "--per-event"}};
-  std::vector<Problem> problems = error.problems();
-  for (Problem& problem : problems) {
-    if (const auto option = options.find(problem.where); option != options.end())
-      problem.where = option->second;
-  }
-  return InputError(problems);
+  if (const auto option = options.find(problem.where); option != options.end())
+    problem.where = option->second;
 }
 
 Suite load_library(const std::string& file) {

@@ -11,8 +11,8 @@
 // What both selections of records print.
 namespace glissade::cli {
 
-/// The error with criteria named by their options.
-InputError by_options(const InputError& error);
+/// A problem of a criterion becomes one of its options.
+void by_option(Problem& problem);
 
 /// Throws InputError where a library is not one of the ground.
 Suite load_library(const std::string& file);

@@ -9,7 +9,6 @@
 #include "glissade/core/error.hpp"
 #include "glissade/core/file.hpp"
 #include "glissade/core/units.hpp"
-#include "glissade/core/wrap.hpp"
 #include "glissade/io/recipe_writer.hpp"
 #include "glissade/io/suite_file.hpp"
 #include "glissade/io/suite_writer.hpp"
@@ -21,6 +20,7 @@
 #include "glissade/motion/suite_scaling.hpp"
 #include "glissade/motion/walters_level.hpp"
 #include "glissade/report/table.hpp"
+#include "shared/option_errors.hpp"
 #include "shared/output_rule.hpp"
 #include "shared/put.hpp"
 #include "suite/conditional_options.hpp"
@@ -63,8 +63,6 @@ const DesignTarget& target_of(const Suite& suite, const std::string& file) {
   return *suite.target;
 }
 
-void warn(const std::string& text) { put("{}\n", wrapped("WARNING: " + text, terminal_width, 0)); }
-
 void deliver_table(const SuiteOptions& o, const Table& table, const char* what) {
   put("{}", to_text(table));
   if (o.out.empty()) {
@@ -91,7 +89,7 @@ void show_files(const SuiteOptions& o) {
 void show(const SuiteOptions& o) {
   if (!is_suite_file(o.suite)) return show_files(o);
   const Suite suite = load_suite(o.suite);
-  put("{}\n", wrapped(suite.name + ": " + suite.description, terminal_width, 0));
+  put_lines(suite.name + ": " + suite.description, 0);
   if (suite.target) {
     const TargetSpectrum target(*suite.target);
     put("target: {}\n        S_DS {:.3f} g, S_D1 {:.3f} g", to_string(*suite.target),
@@ -101,18 +99,17 @@ void show(const SuiteOptions& o) {
       put("; Intensity Level {}", level ? std::to_string(*level) : "above 4");
     }
     put("\n");
-    for (const std::string& warning : improbable_values(*suite.target)) warn(warning);
+    put_warnings(improbable_values(*suite.target));
   }
   if (suite.of_roof) put("motions of a roof: used as they are, without a building\n");
   if (suite.nearest_to_target)
     put("selected as the nearest to a target spectrum: the motions scatter less\n");
   for (const Motion& motion : suite.motions) {
     for (const std::string& value : improbable_values(motion))
-      warn(motion.id + ": " + (suite.of_roof ? in_words_of_roof(value) : value));
+      put_warning(motion.id + ": " + (suite.of_roof ? in_words_of_roof(value) : value));
   }
   for (const Motion& motion : suite.motions) {
-    for (const std::string& note : notes_on(motion))
-      put("{}\n", wrapped("note  " + motion.id + ": " + note, terminal_width, 6));
+    for (const std::string& note : notes_on(motion)) put_note(motion.id + ": " + note);
   }
   deliver_table(o, motions_table(suite), "Each component, earthquake and station");
 }
@@ -156,13 +153,7 @@ void spectra(const SuiteOptions& o) {
 }
 
 ScalingRule rule_of(const SuiteOptions& o) {
-  try {
-    return parse_scaling_rule(o.rule);
-  } catch (const InputError& error) {
-    Problem problem = error.problems().front();
-    problem.where = "--rule";
-    throw InputError(problem);
-  }
+  return of_option("--rule", [&] { return parse_scaling_rule(o.rule); });
 }
 
 /// Throws InputError where options are given that the rule does not have.

@@ -8,13 +8,13 @@
 #include "commands.hpp"
 #include "glissade/core/error.hpp"
 #include "glissade/core/file.hpp"
-#include "glissade/core/wrap.hpp"
 #include "glissade/io/suite_file.hpp"
 #include "glissade/io/suite_writer.hpp"
 #include "glissade/motion/improbable.hpp"
 #include "glissade/motion/record_selection.hpp"
 #include "glissade/motion/suite_scaling.hpp"
 #include "glissade/report/table.hpp"
+#include "shared/option_errors.hpp"
 #include "shared/output_rule.hpp"
 #include "shared/put.hpp"
 #include "suite/conditional_select.hpp"
@@ -46,13 +46,7 @@ struct Task {
 
 /// Named by its option.
 SiteClass site_class_of(const char* option, const std::string& name) {
-  try {
-    return parse_site_class(name);
-  } catch (const InputError& error) {
-    Problem problem = error.problems().front();
-    problem.where = option;
-    throw InputError(problem);
-  }
+  return of_option(option, [&] { return parse_site_class(name); });
 }
 
 SiteGroup group_of(const std::string& site_class) {
@@ -138,13 +132,11 @@ Task task_of(const SelectOptions& o) {
 
 RecordSelection select(const Suite& library, const Task& task) {
   const TargetSpectrum target(task.target);
-  try {
+  return with_problems(by_option, [&] {
     return select_records(
         library, [&](double period_s) { return target.mce_sa_g(period_s); }, walters_periods_s(),
         task.criteria);
-  } catch (const InputError& error) {
-    throw by_options(error);
-  }
+  });
 }
 
 std::vector<std::string> names(const DesignTarget& target) {
@@ -173,14 +165,13 @@ void print(const Suite& library, const Task& task, const RecordSelection& s) {
     const auto level = intensity_level({task.target.ss_g, task.target.s1_g});
     target += "; Intensity Level " + (level ? std::to_string(*level) : "above 4");
   }
-  put("{}\n", wrapped(target, terminal_width, 8));
-  for (const std::string& warning : improbable_values(task.target))
-    put("{}\n", wrapped("WARNING: " + warning, terminal_width, 0));
+  put_lines(target, 8);
+  put_warnings(improbable_values(task.target));
   put("{} candidates of {} records\n\n", s.candidates, library.motions.size());
   put("{}", to_text(selected_table(library, s.records)));
-  put("\n{}\n", wrapped("average of the SRSS spectra: " + average_line(s), terminal_width, 2));
-  if (!s.reaches_target())
-    put("{}\n", wrapped("note  " + shortfall_line(s, task.criteria.max_scale), terminal_width, 6));
+  put("\n");
+  put_lines("average of the SRSS spectra: " + average_line(s), 2);
+  if (!s.reaches_target()) put_note(shortfall_line(s, task.criteria.max_scale));
   put_left_out(library, s.left_out);
 }
 
@@ -262,10 +253,7 @@ void run(const SelectOptions& o) {
   const Suite library = load_library(o.library);
   const RecordSelection selection = select(library, task);
   if (!o.out.empty()) write_text_file(o.out, suite_text(o, library, task, selection));
-  if (o.json) {
-    put_json(to_json(library, task, selection));
-    return;
-  }
+  if (o.json) return put_json(to_json(library, task, selection));
   print(library, task, selection);
   if (!o.out.empty()) put("\nsuite file   {}\n", o.out);
 }

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "glissade/core/error.hpp"
+
+// Input that is wrong in an option, and is read by a library that does not know the options.
+namespace glissade::cli {
+
+/// What `read` gives; its problems are changed.
+template <class Read, class Change>
+auto with_problems(const Change& change, const Read& read) {
+  try {
+    return read();
+  } catch (const InputError& error) {
+    std::vector<Problem> problems = error.problems();
+    for (Problem& problem : problems) change(problem);
+    throw InputError(std::move(problems));
+  }
+}
+
+/// What `read` makes of the value of an option.
+template <class Read>
+auto of_option(const char* option, const Read& read) {
+  return with_problems([=](Problem& problem) { problem.where = option; }, read);
+}
+
+}  // namespace glissade::cli
