@@ -2,7 +2,7 @@
 #include <algorithm>
 
 #include "analysis/in_files.hpp"
-#include "study/analysis_tables.hpp"
+#include "keys/hazard_table.hpp"
 #include "toml/number_list.hpp"
 
 namespace glissade {

@@ -9,7 +9,7 @@
 #include "glissade/core/contract.hpp"
 #include "glissade/core/wrap.hpp"
 #include "glissade/io/project_file.hpp"
-#include "study/grammar.hpp"
+#include "keys/grammar.hpp"
 #include "text/scan.hpp"
 #include "toml/toml_text.hpp"
 

@@ -13,8 +13,8 @@
 #include "import/found_files.hpp"
 #include "import/pairing.hpp"
 #include "records/packed_files.hpp"
-#include "records/record_entry.hpp"
 #include "records/station_metadata.hpp"
+#include "suites/record_entry.hpp"
 #include "text/scan.hpp"
 #include "toml/toml_text.hpp"
 

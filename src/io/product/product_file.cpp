@@ -9,9 +9,9 @@
 
 #include "glissade/core/units.hpp"
 #include "glissade/io/study_file.hpp"
+#include "keys/hazard_table.hpp"
+#include "keys/target_table.hpp"
 #include "product/product_keys.hpp"
-#include "study/analysis_tables.hpp"
-#include "study/target_table.hpp"
 #include "toml/source_text.hpp"
 #include "toml/toml_table.hpp"
 #include "toml/toml_text.hpp"

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "glissade/design/product.hpp"
-#include "study/key.hpp"
+#include "keys/key.hpp"
 
 namespace glissade {
 

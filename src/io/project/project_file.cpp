@@ -19,11 +19,11 @@
 #include "glissade/motion/improbable.hpp"
 #include "glissade/motion/suite_scaling.hpp"
 #include "glissade/sampling/friction_statistics.hpp"
+#include "keys/hazard_table.hpp"
+#include "keys/quantity_table.hpp"
+#include "keys/target_table.hpp"
 #include "project/project_friction.hpp"
 #include "project/project_keys.hpp"
-#include "study/analysis_tables.hpp"
-#include "study/quantity_table.hpp"
-#include "study/target_table.hpp"
 #include "toml/toml_table.hpp"
 
 namespace glissade {

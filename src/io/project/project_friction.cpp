@@ -9,8 +9,8 @@
 #include "glissade/io/pull_test_file.hpp"
 #include "glissade/io/sha256.hpp"
 #include "glissade/sampling/friction_statistics.hpp"
+#include "keys/quantity_table.hpp"
 #include "project/project_keys.hpp"
-#include "study/quantity_table.hpp"
 
 namespace glissade {
 namespace {

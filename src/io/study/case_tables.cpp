@@ -7,7 +7,7 @@
 #include <bit>
 
 #include "enum_names.hpp"
-#include "study/quantity_table.hpp"
+#include "keys/quantity_table.hpp"
 
 namespace glissade {
 namespace {

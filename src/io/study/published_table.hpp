@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "glissade/study/config.hpp"
-#include "study/key.hpp"
+#include "keys/key.hpp"
 
 namespace glissade {
 

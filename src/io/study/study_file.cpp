@@ -10,12 +10,12 @@
 #include "enum_names.hpp"
 #include "glissade/motion/improbable.hpp"
 #include "glissade/study/cases/sample_points.hpp"
+#include "keys/grammar.hpp"
+#include "keys/target_table.hpp"
 #include "study/analysis_tables.hpp"
 #include "study/case_tables.hpp"
-#include "study/grammar.hpp"
 #include "study/published_table.hpp"
 #include "study/study_keys.hpp"
-#include "study/target_table.hpp"
 #include "toml/number_list.hpp"
 
 namespace glissade {

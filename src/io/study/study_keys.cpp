@@ -8,7 +8,7 @@
 
 #include "analysis/in_files.hpp"
 #include "glissade/study/analysis/sampling_error.hpp"
-#include "study/quantity_table.hpp"
+#include "keys/quantity_table.hpp"
 
 namespace glissade {
 namespace {

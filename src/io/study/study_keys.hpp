@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "glissade/study/config.hpp"
-#include "study/key.hpp"
+#include "keys/key.hpp"
 
 namespace glissade {
 

@@ -6,8 +6,8 @@
 
 #include "glissade/io/pull_test_file.hpp"
 #include "glissade/sampling/friction_statistics.hpp"
+#include "keys/quantity_table.hpp"
 #include "study/case_tables.hpp"
-#include "study/quantity_table.hpp"
 
 namespace glissade {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "../../../src/io/study/grammar.hpp"
+#include "keys/grammar.hpp"
 
 #include <gmock/gmock.h>
 
@@ -8,13 +8,13 @@
 #include <set>
 #include <sstream>
 
-#include "../../../src/io/toml/toml_table.hpp"
 #include "glissade/core/file.hpp"
 #include "glissade/core/wrap.hpp"
 #include "glissade/io/study_file.hpp"
 #include "glissade/io/study_grammar.hpp"
 #include "problems.hpp"
 #include "temporary_folder.hpp"
+#include "toml/toml_table.hpp"
 
 namespace glissade {
 namespace {

@@ -2,11 +2,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "../../../src/io/text/scan.hpp"
 #include "glissade/core/units.hpp"
 #include "glissade/study/cases/case_set.hpp"
 #include "glissade/study/run/reduce.hpp"
 #include "study_texts.hpp"
+#include "text/scan.hpp"
 
 namespace glissade {
 namespace {

@@ -34,11 +34,11 @@ struct RecordFormat {
   bool is_binary = false;  ///< its files are no text
 };
 
-// One source file each in this folder.
+// One source file each, in the folder of its family.
 extern const RecordFormat sac_format, miniseed_format, foreign_format, nied_format, dyna_format,
     esd_format, afad_format, cosmos_format, csmip_format, smc_format, usc_format, bhrc_format,
-    asa_format, geonet_format, cwb_format, at2_format, headed_column_format,
-    table_format, column_format;
+    asa_format, geonet_format, cwb_format, at2_format, headed_column_format, table_format,
+    column_format;
 
 /// The first that matches reads a file; the last matches any text.
 std::span<const RecordFormat* const> record_formats();

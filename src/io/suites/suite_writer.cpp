@@ -8,7 +8,7 @@
 
 #include "glissade/core/error.hpp"
 #include "glissade/io/recipe_writer.hpp"
-#include "records/record_entry.hpp"
+#include "suites/record_entry.hpp"
 #include "toml/toml_text.hpp"
 
 namespace glissade {

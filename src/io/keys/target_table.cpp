@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "study/target_table.hpp"
+#include "keys/target_table.hpp"
 
 #include <fmt/format.h>
 

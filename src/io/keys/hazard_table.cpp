@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "keys/hazard_table.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
 
 #include "glissade/motion/design_spectrum.hpp"
-#include "study/analysis_tables.hpp"
 #include "text/csv_rows.hpp"
 #include "toml/number_list.hpp"
 

@@ -10,7 +10,7 @@
 
 #include "records/at2_header.hpp"
 #include "records/formats/reading.hpp"
-#include "records/formats/table_shape.hpp"
+#include "records/formats/tables/table_shape.hpp"
 #include "records/time_column.hpp"
 
 namespace glissade {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "records/formats/table_shape.hpp"
+#include "records/formats/tables/table_shape.hpp"
 
 #include <algorithm>
 

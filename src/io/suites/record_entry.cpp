@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "records/record_entry.hpp"
+#include "suites/record_entry.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

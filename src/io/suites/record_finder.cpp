@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "records/record_finder.hpp"
+#include "suites/record_finder.hpp"
 
 #include <algorithm>
 #include <cstdlib>

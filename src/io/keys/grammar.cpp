@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "study/grammar.hpp"
+#include "keys/grammar.hpp"
 
 #include <fmt/format.h>
 
@@ -9,10 +9,10 @@
 #include "glissade/core/error.hpp"
 #include "glissade/core/wrap.hpp"
 #include "glissade/io/study_grammar.hpp"
+#include "keys/quantity_table.hpp"
 #include "product/product_keys.hpp"
 #include "project/project_keys.hpp"
 #include "study/published_table.hpp"
-#include "study/quantity_table.hpp"
 #include "study/study_keys.hpp"
 #include "toml/written_units.hpp"
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "records/formats/record_format.hpp"
-#include "records/formats/table_heading.hpp"
+#include "records/formats/tables/table_heading.hpp"
 
 namespace glissade {
 

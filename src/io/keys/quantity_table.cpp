@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "study/quantity_table.hpp"
+#include "keys/quantity_table.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -14,10 +14,10 @@
 #include "glissade/io/sha256.hpp"
 #include "glissade/motion/record_edit.hpp"
 #include "glissade/motion/sample_faults.hpp"
+#include "keys/target_table.hpp"
 #include "records/packed_files.hpp"
-#include "records/record_entry.hpp"
-#include "records/record_finder.hpp"
-#include "study/target_table.hpp"
+#include "suites/record_entry.hpp"
+#include "suites/record_finder.hpp"
 #include "text/scan.hpp"
 #include "toml/toml_table.hpp"
 

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "enum_names.hpp"
-#include "study/grammar.hpp"
+#include "keys/grammar.hpp"
 #include "toml/number_list.hpp"
 #include "toml/toml_table.hpp"
 
