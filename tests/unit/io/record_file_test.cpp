@@ -91,7 +91,7 @@ TEST_F(RecordFile, npts_that_differs_from_the_values_reports_both_counts) {
            {at2_head + "NPTS= 2, DT= .01 SEC\n1 2 3\n", "record:4", {"2", "3", "one off"}},
            {at2_head + "NPTS= 5, DT= .01 SEC\n1 2 3\n", "record:4", {"5", "3", "cut short"}},
            {at2_head + "NPTS= 99999999999999999999999, DT= .01 SEC\n1\n", "record:4", {"NPTS"}},
-           {at2_head + "NPTS= 0, DT= .01 SEC\n", "record", {}}});
+           {at2_head + "NPTS= 0, DT= .01 SEC\n", "record", {"no samples"}}});
 }
 
 TEST_F(RecordFile, samples_that_are_no_finite_numbers_are_reported_with_their_line) {
@@ -99,7 +99,8 @@ TEST_F(RecordFile, samples_that_are_no_finite_numbers_are_reported_with_their_li
   refuses({{header + "1 2\nNaN\n", "record:6", {"'NaN'"}},
            {header + "1 2\n1e999\n", "record:6", {"'1e999'"}},
            {header + "1 -inf 3\n", "record:5", {"'-inf'"}},
-           {header + "1 two 3\n", "record:5", {"'two'"}}});
+           {header + "1 two 3\n", "record:5", {"'two'"}},
+           {"0 1\n0.01 *******\n", "record:2", {"'*******'"}}});  // as Fortran overflows
 }
 
 TEST_F(RecordFile, samples_beyond_any_ground_motion_are_reported_with_their_line) {
@@ -234,8 +235,8 @@ TEST_F(RecordFile, a_header_that_is_no_comment_is_not_taken_for_samples) {
 TEST_F(RecordFile, missing_files_folders_empty_files_and_binary_files_are_reported) {
   expect_refusals([&](const std::string& name) { read_record(folder_.path() / name); },
                   {{"none", "none", {}}, {".", ".", {"directory"}}});
-  refuses({{"", "record", {}},
-           {"# only a comment\n", "record", {}},
+  refuses({{"", "record", {"no samples"}},
+           {"# only a comment\n", "record", {"no samples"}},
            {std::string("1\n\0\n2", 5), "record", {"text"}},
            {"Origin Time 2011/03/11\n", "record:1", {"'Origin'"}}});
 }

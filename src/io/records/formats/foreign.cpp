@@ -64,7 +64,7 @@ bool is_foreign(const RecordText& file) { return foreign_kind(file.text) != null
 
 std::vector<FileComponent> refuse_foreign(const RecordText& file, const RecordFileOptions&) {
   const ForeignKind& kind = *foreign_kind(file.text);
-  refuse_record(file.path.string(), kind.what, kind.suggestion);
+  refuse_record(file, kind.what, kind.suggestion);
 }
 
 }  // namespace

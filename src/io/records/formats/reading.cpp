@@ -39,9 +39,22 @@ std::size_t end_of_number(std::string_view text) {
 
 }  // namespace
 
+std::string RecordText::at(std::size_t line) const {
+  return line == 0 ? path.string() : place(path, line);
+}
+
+std::string_view RecordText::first_line() const {
+  LineReader lines(text);
+  return lines.next() ? lines.line() : std::string_view();
+}
+
 void refuse_record(const std::string& where, const std::string& what,
                    const std::string& suggestion) {
   throw InputError({where, what, suggestion, ""});
+}
+
+void refuse_record(const RecordText& file, const std::string& what, const std::string& suggestion) {
+  refuse_record(file.path.string(), what, suggestion);
 }
 
 std::optional<double> fortran_number(std::string_view text) {
@@ -89,43 +102,41 @@ std::size_t field_width(std::string_view line) {
   return error == std::errc() && end != begin && width <= widest ? width : 0;
 }
 
-double parse_finite(const std::filesystem::path& file, std::size_t line, std::string_view token,
+double parse_finite(const RecordText& file, std::size_t line, std::string_view token,
                     const char* what) {
   const std::optional<double> value = fortran_number(token);
-  if (!value)
-    refuse_record(place(file, line),
-                  std::string(what) + " " + in_quotes(token) + " is not a number", what_is_read);
+  const std::string named = std::string(what) + " " + in_quotes(token);
+  if (!value) refuse_record(file.at(line), named + " is not a number", what_is_read);
   if (!std::isfinite(*value))
-    refuse_record(place(file, line), std::string(what) + " " + in_quotes(token) + " is not finite",
+    refuse_record(file.at(line), named + " is not finite",
                   "repair the record: every sample must be a finite number");
   return *value;
 }
 
-double parse_sample(const std::filesystem::path& file, std::size_t line, std::string_view token,
-                    double unit_mps2) {
-  const double sample_mps2 = unit_mps2 * parse_finite(file, line, token, "the value");
-  if (!(std::abs(sample_mps2) <= most_acceleration_mps2))
-    refuse_record(place(file, line), "the value " + in_quotes(token) + " is more than 100,000 g",
-                  "repair the record, or correct its units");
-  return sample_mps2;
+void add_number(const RecordText& file, double value, std::vector<double>& values) {
+  if (values.size() == most_samples)
+    refuse_record(file, fmt::format("has more than {} samples", most_samples),
+                  "give the strong part of the record");
+  values.push_back(value);
 }
 
-void add_sample(const std::filesystem::path& file, double sample_mps2,
+void add_sample(const RecordText& file, std::size_t line, std::string_view token, double unit_mps2,
                 std::vector<double>& samples_mps2) {
-  if (samples_mps2.size() == most_samples)
-    refuse_record(file.string(), fmt::format("has more than {} samples", most_samples),
-                  "give the strong part of the record");
-  samples_mps2.push_back(sample_mps2);
+  const double sample_mps2 = unit_mps2 * parse_finite(file, line, token, "the value");
+  if (!(std::abs(sample_mps2) <= most_acceleration_mps2))
+    refuse_record(file.at(line), "the value " + in_quotes(token) + " is more than 100,000 g",
+                  "repair the record, or correct its units");
+  add_number(file, sample_mps2, samples_mps2);
 }
 
 void add_value(const RecordText& file, double value, double unit_mps2,
                std::vector<double>& samples_mps2) {
   if (!(std::abs(value * unit_mps2) <= most_acceleration_mps2))
-    refuse_record(file.path.string(),
+    refuse_record(file,
                   fmt::format("value {}, {:g}, is not finite, or more than 100,000 g",
                               samples_mps2.size() + 1, value),
                   "repair the record, or correct its units");
-  add_sample(file.path, value * unit_mps2, samples_mps2);
+  add_number(file, value * unit_mps2, samples_mps2);
 }
 
 std::vector<double> read_block(const RecordText& file, LineReader& lines,
@@ -135,17 +146,16 @@ std::vector<double> read_block(const RecordText& file, LineReader& lines,
   while (samples.size() < block.count) {
     if (!lines.next())
       refuse_record(
-          place(file.path, begin),
+          file.at(begin),
           fmt::format("states {} values, and the file ends after {}", block.count, samples.size()),
-          "the file is cut short: get it again");
+          cut_short);
     const auto add = [&](std::string_view token) {
       if (samples.size() == block.count)
         refuse_record(
-            place(file.path, lines.number()),
+            file.at(lines.number()),
             fmt::format("has more than the {} values that line {} states", block.count, begin),
             "the file is damaged: get it again");
-      add_sample(file.path, parse_sample(file.path, lines.number(), token, block.unit_mps2),
-                 samples);
+      add_sample(file, lines.number(), token, block.unit_mps2, samples);
     };
     if (block.width > 0) {
       for (const std::string_view field : fixed_fields(lines.line(), block.width)) add(field);
@@ -162,7 +172,7 @@ std::vector<double> read_rest(const RecordText& file, LineReader& lines, double 
   while (lines.next()) {
     for (const std::string_view token : fields(lines.line())) {
       for (const std::string_view number : touching_numbers(token))
-        add_sample(file.path, parse_sample(file.path, lines.number(), number, unit_mps2), samples);
+        add_sample(file, lines.number(), number, unit_mps2, samples);
     }
   }
   return samples;
@@ -171,8 +181,8 @@ std::vector<double> read_rest(const RecordText& file, LineReader& lines, double 
 void add_pairs(const RecordText& file, std::size_t line, const std::vector<std::string_view>& row,
                double unit_mps2, TimedSamples& pairs) {
   for (std::size_t i = 0; i + 1 < row.size(); i += 2) {
-    pairs.time.add(parse_finite(file.path, line, row[i], "the time"), row[i], line);
-    add_sample(file.path, parse_sample(file.path, line, row[i + 1], unit_mps2), pairs.samples_mps2);
+    pairs.time.add(parse_finite(file, line, row[i], "the time"), row[i], line);
+    add_sample(file, line, row[i + 1], unit_mps2, pairs.samples_mps2);
   }
 }
 
@@ -188,20 +198,39 @@ double digitised_step_s(const RecordText& file, const TimedSamples& pairs,
   }
 }
 
-void check_stated_count(const std::string& where, std::size_t stated, std::size_t found) {
-  if (stated == found) return;
-  refuse_record(where, fmt::format("states {} values, the file contains {}", stated, found),
-                "the file is cut short or its header is wrong: get it again");
+void add_row(const RecordText& file, std::size_t line, std::span<const std::string_view> row,
+             double unit_mps2, std::vector<std::vector<double>>& components) {
+  if (row.size() != components.size())
+    refuse_record(file.at(line),
+                  fmt::format("has {} columns of samples, {} components are stated", row.size(),
+                              components.size()),
+                  cut_short);
+  for (std::size_t i = 0; i < row.size(); ++i)
+    add_sample(file, line, row[i], unit_mps2, components[i]);
+}
+
+std::optional<HeaderLine> line_with_colon(const LineReader& lines) {
+  const std::string_view line = lines.line();
+  const std::size_t colon = line.find(':');
+  if (colon == std::string_view::npos) return std::nullopt;
+  return HeaderLine{std::string(trimmed(line.substr(0, colon))),
+                    std::string(trimmed(line.substr(colon + 1))), lines.number()};
+}
+
+HeaderLine line_beginning(const std::vector<HeaderLine>& header, std::string_view key) {
+  const auto found = std::ranges::find_if(header, [&](const HeaderLine& line) {
+    return line.key.starts_with(key) && !line.value.empty();
+  });
+  return found != header.end() ? *found : HeaderLine{std::string(key), "", 0};
 }
 
 HeaderLines HeaderLines::with_colons(LineReader& lines) {
   HeaderLines header;
   constexpr std::size_t most_lines = 200;
   for (LineReader ahead = lines; header.lines_.size() < most_lines && ahead.next();) {
-    const std::size_t colon = ahead.line().find(':');
-    if (colon == std::string_view::npos) break;
-    header.lines_.push_back({std::string(trimmed(ahead.line().substr(0, colon))),
-                             std::string(trimmed(ahead.line().substr(colon + 1))), ahead.number()});
+    auto line = line_with_colon(ahead);
+    if (!line) break;
+    header.lines_.push_back(*std::move(line));
     lines = ahead;
   }
   return header;
@@ -232,7 +261,7 @@ std::string HeaderLines::value(std::string_view key) const {
 const HeaderLine& HeaderLines::required(const RecordText& file, std::string_view key) const {
   const HeaderLine* found = find(key);
   if (found == nullptr)
-    refuse_record(file.path.string(), "its header does not state " + in_quotes(key),
+    refuse_record(file, "its header does not state " + in_quotes(key),
                   "the file is cut short or was edited: get it again");
   return *found;
 }
@@ -242,15 +271,30 @@ std::size_t stated_count(const RecordText& file, const HeaderLine& stated) {
   if (!count || count->value < 1.0 || count->value > static_cast<double>(most_samples) ||
       std::round(count->value) != count->value)
     refuse_record(
-        place(file.path, stated.line),
+        file.at(stated.line),
         fmt::format("{} is {}, no number of samples", stated.key, in_quotes(stated.value)),
         "get the file again");
   return static_cast<std::size_t>(count->value);
 }
 
+void check_stated_count(const std::string& where, std::size_t stated, std::size_t found) {
+  if (stated == found) return;
+  refuse_record(where, fmt::format("states {} values, the file contains {}", stated, found),
+                "the file is cut short or its header is wrong: get it again");
+}
+
+void check_stated_count(const RecordText& file, const HeaderLine& stated, std::size_t found) {
+  check_stated_count(file.at(stated.line), stated_count(file, stated), found);
+}
+
 double stated_step(const std::string& where, const std::string& text, std::optional<double> dt_s,
                    const RecordFileOptions& options) {
   return agreed_step(where, text, dt_s, options.dt_s);
+}
+
+double stated_step(const RecordText& file, const HeaderLine& stated,
+                   const RecordFileOptions& options) {
+  return stated_step(file.at(stated.line), stated.value, fortran_number(stated.value), options);
 }
 
 double stated_unit(const RecordText& file, const std::string& text, std::size_t line,
@@ -289,7 +333,7 @@ std::string single_blanks(std::string_view text) {
 
 void ask_for_unit(const RecordText& file, const char* format, const RecordFileOptions& options) {
   if (options.units || options.units_if_not_stated) return;
-  refuse_record(file.path.string(), std::string(format) + " files do not state their unit",
+  refuse_record(file, std::string(format) + " files do not state their unit",
                 "give units as g, m/s2 or cm/s2");
 }
 
@@ -310,13 +354,6 @@ std::string plain_direction(std::string_view direction) {
                                            : std::string(trimmed(direction));
   const double a = angle->value;
   return shortest_decimal(south ? (west ? 180.0 + a : 180.0 - a) : (west ? 360.0 - a : a));
-}
-
-void state_header(FileComponent& component, RecordHeader header) {
-  component.record.source =
-      fmt::format("{}{}{}, {}", header.event, header.event.empty() ? "" : ", ", header.station,
-                  header.direction);
-  component.header = std::move(header);
 }
 
 void state_magnitude(RecordHeader& header, std::string_view line,
@@ -362,6 +399,16 @@ FileComponent file_component(const RecordText& file, std::string name, double dt
   component.record.name = file.path.string();
   component.record.dt_s = dt_s;
   component.record.acceleration_mps2 = std::move(samples_mps2);
+  return component;
+}
+
+FileComponent file_component(const RecordText& file, std::string name, double dt_s,
+                             std::vector<double> samples_mps2, RecordHeader header) {
+  FileComponent component = file_component(file, std::move(name), dt_s, std::move(samples_mps2));
+  component.record.source =
+      fmt::format("{}{}{}, {}", header.event, header.event.empty() ? "" : ", ", header.station,
+                  header.direction);
+  component.header = std::move(header);
   return component;
 }
 

@@ -3,6 +3,7 @@
 
 #include <initializer_list>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -19,7 +20,11 @@ inline constexpr const char* what_is_read =
     "give a PEER AT2 file, one column of accelerations, or two columns time and acceleration, with "
     "# before comments; the other formats that are read are in suites/README.md";
 
+inline constexpr const char* cut_short = "the file is cut short: get it again";
+
 [[noreturn]] void refuse_record(const std::string& where, const std::string& what,
+                                const std::string& suggestion);
+[[noreturn]] void refuse_record(const RecordText& file, const std::string& what,
                                 const std::string& suggestion);
 
 /// A number as Fortran, C or a spreadsheet writes it: also 1.5D-03. Blanks around it are dropped.
@@ -36,15 +41,13 @@ std::vector<std::string_view> fixed_fields(std::string_view line, std::size_t wi
 std::size_t field_width(std::string_view line);
 
 /// A finite number, or an InputError that names the token.
-double parse_finite(const std::filesystem::path& file, std::size_t line, std::string_view token,
+double parse_finite(const RecordText& file, std::size_t line, std::string_view token,
                     const char* what);
-/// A sample in m/s2.
-double parse_sample(const std::filesystem::path& file, std::size_t line, std::string_view token,
-                    double unit_mps2);
 /// Up to most_samples.
-void add_sample(const std::filesystem::path& file, double sample_mps2,
+void add_number(const RecordText& file, double value, std::vector<double>& values);
+/// Adds what a token states in units of so many m/s2.
+void add_sample(const RecordText& file, std::size_t line, std::string_view token, double unit_mps2,
                 std::vector<double>& samples_mps2);
-
 /// A value of a binary file, by the same rules.
 void add_value(const RecordText& file, double value, double unit_mps2,
                std::vector<double>& samples_mps2);
@@ -72,14 +75,20 @@ void add_pairs(const RecordText& file, std::size_t line, const std::vector<std::
 double digitised_step_s(const RecordText& file, const TimedSamples& pairs,
                         const RecordFileOptions& options);
 
-/// InputError unless a file holds as many samples as it states.
-void check_stated_count(const std::string& where, std::size_t stated, std::size_t found);
+/// Adds the numbers of a row, each a sample of another component. InputError where they are more or
+/// fewer.
+void add_row(const RecordText& file, std::size_t line, std::span<const std::string_view> row,
+             double unit_mps2, std::vector<std::vector<double>>& components);
 
 /// What a header states by one of its keys.
 struct HeaderLine {
   std::string key, value;
-  std::size_t line = 0;
+  std::size_t line = 0;  ///< 0: it does not
 };
+/// "KEY: value"; nothing without a colon.
+std::optional<HeaderLine> line_with_colon(const LineReader& lines);
+/// The first with a value whose key begins so; where there is none, the key alone.
+HeaderLine line_beginning(const std::vector<HeaderLine>& header, std::string_view key);
 class HeaderLines {
  public:
   /// "KEY: value" lines, up to the first line without a colon.
@@ -98,9 +107,14 @@ class HeaderLines {
 
 /// A whole number from 1 to most_samples.
 std::size_t stated_count(const RecordText& file, const HeaderLine& stated);
+/// InputError unless a file holds as many samples as it states.
+void check_stated_count(const std::string& where, std::size_t stated, std::size_t found);
+void check_stated_count(const RecordText& file, const HeaderLine& stated, std::size_t found);
 /// The step a header states, which `options` may mend, where it was printed with too few digits, by
 /// 2 %.
 double stated_step(const std::string& where, const std::string& text, std::optional<double> dt_s,
+                   const RecordFileOptions& options);
+double stated_step(const RecordText& file, const HeaderLine& stated,
                    const RecordFileOptions& options);
 /// m/s2 of the unit a header states; the options must agree.
 double stated_unit(const RecordText& file, const std::string& text, std::size_t line,
@@ -129,9 +143,6 @@ void check_readable(const Record& record);
 /// they are. For comparing the components of a record.
 std::string plain_direction(std::string_view direction);
 
-/// Takes the header; event, station and direction are the source of the record.
-void state_header(FileComponent& component, RecordHeader header);
-
 /// The magnitude behind one of the names, "Mw=7.0" or "MOMENT MAG= 7.1": the first that has one,
 /// with its kind.
 struct MagnitudeName {
@@ -147,7 +158,10 @@ double epicentral_km(std::optional<double> event_latitude_deg,
                      std::optional<double> station_latitude_deg,
                      std::optional<double> station_longitude_deg);
 
+/// Event, station and direction of a header are the source of its record.
 FileComponent file_component(const RecordText& file, std::string name, double dt_s,
                              std::vector<double> samples_mps2);
+FileComponent file_component(const RecordText& file, std::string name, double dt_s,
+                             std::vector<double> samples_mps2, RecordHeader header);
 
 }  // namespace glissade

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "glissade/io/record_file.hpp"
@@ -15,6 +16,9 @@ namespace glissade {
 struct RecordText {
   std::filesystem::path path;
   std::string text;  ///< in UTF-8, also of a file in UTF-16 or Latin-1; or bytes, of a binary file
+
+  std::string at(std::size_t line) const;  ///< "file:line"; the file where 0, no line, is meant
+  std::string_view first_line() const;
 };
 
 /// One component of a file; `floor.csv#U1` addresses it by a name, `floor.csv#1` by its position.

@@ -20,20 +20,12 @@ std::vector<HeaderLine> asa_header(const RecordText& file, LineReader& lines) {
   std::vector<HeaderLine> header;
   while (lines.next()) {
     if (lines.line().starts_with("DATOS DE ACELERACION")) return header;
-    const std::size_t colon = lines.line().find(':');
-    if (colon == std::string_view::npos) continue;
-    std::string key(trimmed(lines.line().substr(0, colon)));
-    if (key.empty() && !header.empty()) key = header.back().key + " 2";
-    header.push_back({key, std::string(trimmed(lines.line().substr(colon + 1))), lines.number()});
+    auto line = line_with_colon(lines);
+    if (!line) continue;
+    if (line->key.empty() && !header.empty()) line->key = header.back().key + " 2";
+    header.push_back(*std::move(line));
   }
-  refuse_record(file.path.string(), "ends before DATOS DE ACELERACION",
-                "the file is cut short: get it again");
-}
-
-HeaderLine asa_value(const std::vector<HeaderLine>& header, std::string_view key) {
-  for (const HeaderLine& line : header)
-    if (line.key.starts_with(key) && !line.value.empty()) return line;
-  return {std::string(key), "", 0};
+  refuse_record(file, "ends before DATOS DE ACELERACION", cut_short);
 }
 
 /// "/V/N00E/N90E" as a line for each channel.
@@ -47,7 +39,7 @@ std::vector<HeaderLine> of_channels(const RecordText& file, const HeaderLine& li
     at = end;
   }
   if (channels.empty())
-    refuse_record(list.line == 0 ? file.path.string() : place(file.path, list.line),
+    refuse_record(file.at(list.line),
                   "its header does not state " + in_quotes(list.key) + " as /C1/C2/C3",
                   "the file is cut short or was edited: get it again");
   return channels;
@@ -68,7 +60,7 @@ std::optional<double> coordinate_deg(const std::string& text) {
 }
 
 RecordHeader asa_stated(const std::vector<HeaderLine>& header) {
-  const auto value = [&](std::string_view key) { return asa_value(header, key).value; };
+  const auto value = [&](std::string_view key) { return line_beginning(header, key).value; };
   RecordHeader stated;
   stated.event = single_blanks(value("FECHA DEL SISMO") + " " + value("HORA EPICENTRO"));
   stated.station = value("NOMBRE DE LA ESTACION");
@@ -84,15 +76,15 @@ RecordHeader asa_stated(const std::vector<HeaderLine>& header) {
 std::vector<FileComponent> read_asa(const RecordText& file, const RecordFileOptions& options) {
   LineReader lines(file.text);
   const std::vector<HeaderLine> header = asa_header(file, lines);
-  const auto channels = of_channels(file, asa_value(header, "ORIENTACION C1-C6")),
-             steps = of_channels(file, asa_value(header, "INTERVALO DE MUESTREO, C1-C6")),
-             counts = of_channels(file, asa_value(header, "NUM. TOTAL DE MUESTRAS, C1-C6"));
+  const auto channels = of_channels(file, line_beginning(header, "ORIENTACION C1-C6")),
+             steps = of_channels(file, line_beginning(header, "INTERVALO DE MUESTREO, C1-C6")),
+             counts = of_channels(file, line_beginning(header, "NUM. TOTAL DE MUESTRAS, C1-C6"));
   if (steps.size() != channels.size() || counts.size() != channels.size())
-    refuse_record(place(file.path, channels.front().line),
+    refuse_record(file.at(channels.front().line),
                   fmt::format("states {} channels, {} steps and {} counts", channels.size(),
                               steps.size(), counts.size()),
                   "the file was edited: get it again");
-  const HeaderLine unit = asa_value(header, "UNIDADES DE LOS DATOS");
+  const HeaderLine unit = line_beginning(header, "UNIDADES DE LOS DATOS");
   const double unit_mps2 = stated_unit(file, first_word(unit.value), unit.line, options);
   constexpr int lines_of_names = 4;  // rule, CANAL-1, V, rule
   for (int i = 0; i < lines_of_names && lines.next(); ++i) continue;
@@ -102,31 +94,24 @@ std::vector<FileComponent> read_asa(const RecordText& file, const RecordFileOpti
     std::vector<std::string_view> row;
     for (const std::string_view token : fields(lines.line()))
       for (const std::string_view number : touching_numbers(token)) row.push_back(number);
-    if (row.empty()) continue;
-    if (row.size() != columns.size())
-      refuse_record(
-          place(file.path, lines.number()),
-          fmt::format("has {} columns, the header states {} channels", row.size(), columns.size()),
-          "get the file again");
-    for (std::size_t i = 0; i < row.size(); ++i)
-      add_sample(file.path, parse_sample(file.path, lines.number(), row[i], unit_mps2), columns[i]);
+    if (!row.empty()) add_row(file, lines.number(), row, unit_mps2, columns);
   }
   std::vector<FileComponent> components;
   for (std::size_t i = 0; i < channels.size(); ++i) {
     const std::size_t stated = stated_count(file, counts[i]), found = columns[i].size();
     if (found > stated) columns[i].resize(stated);  // the last one is repeated
-    check_stated_count(place(file.path, counts[i].line), stated, columns[i].size());
+    check_stated_count(file.at(counts[i].line), stated, columns[i].size());
     const auto step = first_number(steps[i].value);
-    const double dt_s = stated_step(place(file.path, steps[i].line), steps[i].value,
+    const double dt_s = stated_step(file.at(steps[i].line), steps[i].value,
                                     step ? std::optional(step->value) : std::nullopt, options);
-    components.push_back(file_component(file, channels[i].value, dt_s, std::move(columns[i])));
-    if (found > stated)
-      components.back().record.notes.push_back(fmt::format(
-          "the file has {} values and states {}: those behind are left out", found, stated));
     RecordHeader of_channel = asa_stated(header);
     of_channel.direction = asa_direction(channels[i].value);
     of_channel.unit = first_word(unit.value);
-    state_header(components.back(), std::move(of_channel));
+    components.push_back(file_component(file, channels[i].value, dt_s, std::move(columns[i]),
+                                        std::move(of_channel)));
+    if (found > stated)
+      components.back().record.notes.push_back(fmt::format(
+          "the file has {} values and states {}: those behind are left out", found, stated));
   }
   return components;
 }

@@ -9,8 +9,8 @@ namespace glissade {
 namespace {
 
 bool is_dyna(const RecordText& file) {
+  if (!file.first_line().starts_with("EVENT_NAME:")) return false;
   LineReader lines(file.text);
-  if (!lines.next() || !lines.line().starts_with("EVENT_NAME:")) return false;
   const HeaderLines header = HeaderLines::with_colons(lines);
   return header.find("NDATA") != nullptr || header.find("SAMPLING_INTERVAL_S") != nullptr;
 }
@@ -18,7 +18,7 @@ bool is_dyna(const RecordText& file) {
 void refuse_other_data(const RecordText& file, const HeaderLines& header) {
   const HeaderLine* type = header.find("DATA_TYPE");
   if (type == nullptr || lower_case(type->value) == "acceleration") return;
-  refuse_record(place(file.path, type->line),
+  refuse_record(file.at(type->line),
                 "holds " + in_quotes(lower_case(type->value)) + ", not acceleration",
                 "give the file of accelerations (...ACC.ASC)");
 }
@@ -48,14 +48,12 @@ std::vector<FileComponent> read_dyna(const RecordText& file, const RecordFileOpt
   const HeaderLine* units = header.find("UNITS");
   const double unit_mps2 =
       stated_unit(file, header.value("UNITS"), units == nullptr ? 0 : units->line, options);
-  const double dt_s =
-      stated_step(place(file.path, step.line), step.value, fortran_number(step.value), options);
+  const double dt_s = stated_step(file, step, options);
   std::vector<double> samples = read_rest(file, lines, unit_mps2);
-  check_stated_count(place(file.path, count.line), stated_count(file, count), samples.size());
+  check_stated_count(file, count, samples.size());
   const std::string stream = header.value("STREAM");
-  FileComponent component = file_component(file, stream, dt_s, std::move(samples));
-  state_header(component, dyna_header(header, plain_direction(stream)));
-  return {std::move(component)};
+  return {file_component(file, stream, dt_s, std::move(samples),
+                         dyna_header(header, plain_direction(stream)))};
 }
 
 }  // namespace

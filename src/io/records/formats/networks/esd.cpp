@@ -9,9 +9,9 @@ namespace {
 constexpr std::size_t esd_field_width = 14;
 
 bool is_esd(const RecordText& file) {
+  if (!file.first_line().starts_with("Event")) return false;
   LineReader lines(file.text);
-  if (!lines.next() || !lines.line().starts_with("Event")) return false;
-  const HeaderLines header = HeaderLines::with_colons(lines = LineReader(file.text));
+  const HeaderLines header = HeaderLines::with_colons(lines);
   return header.find("Time Increment (s)") != nullptr && header.find("Number of Data") != nullptr;
 }
 
@@ -25,17 +25,14 @@ std::vector<FileComponent> read_esd(const RecordText& file, const RecordFileOpti
   const std::size_t in = quantity.rfind(" in ");
   const std::string unit(in == quantity.npos ? "" : trimmed(quantity.substr(in + 4)));
   const double unit_mps2 = stated_unit(file, unit, lines.number(), options);
-  const double dt_s =
-      stated_step(place(file.path, step.line), step.value, fortran_number(step.value), options);
+  const double dt_s = stated_step(file, step, options);
   std::vector<double> samples =
       read_block(file, lines, {stated_count(file, count), esd_field_width, unit_mps2});
   const std::string direction = header.value("Orientation");
-  FileComponent component = file_component(file, direction, dt_s, std::move(samples));
   RecordHeader stated{header.value("Event Date & Time"), header.value("Station Code / Name"),
                       plain_direction(direction), unit};
   if (header.find("Processing Info") != nullptr) stated.is_processed = true;
-  state_header(component, std::move(stated));
-  return {std::move(component)};
+  return {file_component(file, direction, dt_s, std::move(samples), std::move(stated))};
 }
 
 }  // namespace

@@ -28,7 +28,7 @@ double count_mps2(const RecordText& file, const HeaderLine& factor) {
   const std::size_t slash = text.find("(gal)/");
   const auto counts = slash == std::string::npos ? std::nullopt : first_number(text, slash + 6);
   if (!gal || !counts || !(gal->value > 0.0) || !(counts->value > 0.0))
-    refuse_record(place(file.path, factor.line),
+    refuse_record(file.at(factor.line),
                   "the scale factor " + in_quotes(factor.value) + " is not as 3920(gal)/6182761",
                   "get the file again");
   return 0.01 * gal->value / counts->value;
@@ -75,19 +75,19 @@ std::vector<FileComponent> read_nied(const RecordText& file, const RecordFileOpt
   const double unit_mps2 = count_mps2(file, factor);
   stated_unit(file, "gal", factor.line, options);  // which the options may not contradict
   const auto hz = first_number(frequency.value), length_s = first_number(duration.value);
-  const double dt_s = stated_step(place(file.path, frequency.line), "1 / " + frequency.value,
+  const double dt_s = stated_step(file.at(frequency.line), "1 / " + frequency.value,
                                   hz && hz->value > 0.0 ? 1.0 / hz->value : 0.0, options);
   std::vector<double> samples = read_rest(file, lines, unit_mps2);
   const double stated = length_s && hz ? std::round(length_s->value * hz->value) : 0.0;
   if (stated != static_cast<double>(samples.size()) || samples.empty())
-    refuse_record(place(file.path, duration.line),
+    refuse_record(file.at(duration.line),
                   fmt::format("{} s at {} are {:g} values, the file contains {}", duration.value,
                               frequency.value, stated, samples.size()),
-                  "the file is cut short: get it again");
+                  cut_short);
   const auto [name, where] = nied_sensor(header.value("Dir."));
-  FileComponent component = file_component(file, name + where, dt_s, without_mean(samples));
+  FileComponent component = file_component(file, name + where, dt_s, without_mean(samples),
+                                           nied_header(header, where, plain_direction(name)));
   component.direction = name;
-  state_header(component, nied_header(header, where, plain_direction(name)));
   component.record.notes.push_back((where.empty() ? "K-NET" : "KiK-net," + where) +
                                    ": not corrected, less its mean, as NIED states");
   return {std::move(component)};

@@ -115,22 +115,21 @@ At2Header comments_of(std::string_view text) {
   return header;
 }
 
-double column_step(const std::filesystem::path& file, const At2Header& header,
+double column_step(const RecordText& file, const At2Header& header,
                    const RecordFileOptions& options) {
   if (!options.dt_s && !header.dt_s)
-    refuse_record(file.string(), "one column does not give the time step", "give it with dt_s");
-  return at2_step(file, header, options.dt_s);
+    refuse_record(file, "one column does not give the time step", "give it with dt_s");
+  return at2_step(file.path, header, options.dt_s);
 }
 
-std::vector<FileComponent> read_columns(const RecordText& text, const RecordFileOptions& options) {
-  const std::filesystem::path& file = text.path;
-  const At2Header header = comments_of(text.text);
+std::vector<FileComponent> read_columns(const RecordText& file, const RecordFileOptions& options) {
+  const At2Header header = comments_of(file.text);
   std::vector<double> samples;
   TimeColumn time;
   std::size_t columns = 0;
   double unit_mps2 = 1.0;
   std::vector<std::size_t> decimals;
-  LineReader reader(text.text);
+  LineReader reader(file.text);
   while (reader.next()) {
     if (is_blank_or_comment(reader.line())) continue;
     const std::vector<std::string_view> parts = fields(reader.line());
@@ -139,27 +138,28 @@ std::vector<FileComponent> read_columns(const RecordText& text, const RecordFile
       parse_finite(file, line, parts.front(),
                    "the value");  // text is reported as text, however many words
       columns = parts.size();
-      if (columns <= 2) unit_mps2 = stated_unit(text, header.units, header.units_line, options);
+      if (columns <= 2) unit_mps2 = stated_unit(file, header.units, header.units_line, options);
     }
     if (parts.size() > 2 || parts.size() != columns)
-      refuse_record(place(file, line),
+      refuse_record(file.at(line),
                     std::to_string(parts.size()) + (parts.size() == 1 ? " column" : " columns") +
                         (parts.size() > 2 ? "; at most two are read"
                                           : ", " + std::to_string(columns) + " above"),
                     what_is_read);
     if (columns == 2) time.add(parse_finite(file, line, parts[0], "the time"), parts[0], line);
-    add_sample(file, parse_sample(file, line, parts.back(), unit_mps2), samples);
+    add_sample(file, line, parts.back(), unit_mps2, samples);
     if (columns == 1 && decimals.size() < judged) decimals.push_back(decimals_of(parts.back()));
   }
-  if (columns == 0) refuse_record(file.string(), "the file holds no samples", what_is_read);
-  if (header.npts) check_at2_count(file, header, samples.size());
-  FileComponent component = file_component(text, "", 0.0, std::move(samples));
+  if (columns == 0) refuse_record(file, "the file holds no samples", what_is_read);
+  if (header.npts) check_at2_count(file.path, header, samples.size());
+  FileComponent component = file_component(file, "", 0.0, std::move(samples));
   component.header.unit = header.units;
   Record& record = component.record;
   if (columns == 2) {
     if (!options.dt_s && header.dt_s)
-      check_step(place(file, header.lines), header.dt_text, *header.dt_s);
-    record.dt_s = noted_step(file, time, options.dt_s ? options.dt_s : header.dt_s, record.notes);
+      check_step(file.at(header.lines), header.dt_text, *header.dt_s);
+    record.dt_s =
+        noted_step(file.path, time, options.dt_s ? options.dt_s : header.dt_s, record.notes);
   } else {
     record.dt_s = column_step(file, header, options);
     refuse_header(record, unit_mps2, decimals);

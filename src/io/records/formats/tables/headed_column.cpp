@@ -71,14 +71,13 @@ std::vector<FileComponent> read_headed_column(const RecordText& file,
   // With a step that is given the file is one column, whose reader knows a header.
   if (two.name.empty() && options.dt_s) return column_format.read(file, options);
   const double unit_mps2 = stated_unit(file, "", 0, options);
-  const double dt_s = stated_step(place(file.path, 2), two.dt_text, two.dt_s, options);
+  const double dt_s = stated_step(file.at(2), two.dt_text, two.dt_s, options);
   LineReader lines(file.text);
   lines.next(), lines.next();
   std::vector<double> samples = read_rest(file, lines, unit_mps2);
   if (!two.name.empty())
-    check_stated_count(place(file.path, 2), static_cast<std::size_t>(two.count), samples.size());
-  if (samples.empty())
-    refuse_record(file.path.string(), "the file holds no samples", "get it again");
+    check_stated_count(file.at(2), static_cast<std::size_t>(two.count), samples.size());
+  if (samples.empty()) refuse_record(file, "the file holds no samples", "get it again");
   FileComponent component = file_component(file, two.name, dt_s, std::move(samples));
   if (two.name.empty())
     component.record.notes.push_back(

@@ -72,7 +72,7 @@ void check_is_time(const RecordText& file, const TableShape& shape) {
   }
   if (times.size() == 2 && times[1] > times[0]) return;
   refuse_record(
-      place(file.path, shape.first_row),
+      file.at(shape.first_row),
       fmt::format("{} columns without a heading, the first of which is no time",
                   shape.is_number.size()),
       "put a line of names and units above them: time_s, ax_g, ay_g; or, where the values "
@@ -83,7 +83,7 @@ void check_is_time(const RecordText& file, const TableShape& shape) {
 void plan_without_heading(const RecordText& file, TablePlan& plan) {
   const std::size_t count = plan.shape.is_number.size();
   if (!plan.shape.is_all_numbers())
-    refuse_record(place(file.path, plan.shape.first_row),
+    refuse_record(file.at(plan.shape.first_row),
                   fmt::format("has {} columns, of which some are text, without a heading", count),
                   "put a line of their names and units above them: Time (s), U1 (m/s2)");
   if (count > 2) check_is_time(file, plan.shape);
@@ -114,7 +114,7 @@ void plan_by_heading(const RecordText& file, TablePlan& plan) {
   }
   if (plan.components.empty() && plan.time && count == 2) plan.components = unknown;
   if (plan.components.empty())
-    refuse_record(place(file.path, plan.shape.first_row),
+    refuse_record(file.at(plan.shape.first_row),
                   "has no column of accelerations: " + listed_headings(plan),
                   "name them and their unit in the heading: U1 (m/s2), acc_g");
 }
@@ -155,7 +155,7 @@ void check_labels(const RecordText& file, const TablePlan& plan, std::size_t lin
     const std::string_view value = row[label.column];
     if (line == plan.shape.first_row) label.value = value;
     if (value != label.value)
-      refuse_record(place(file.path, line),
+      refuse_record(file.at(line),
                     fmt::format("the column {} goes from {} to {}: several histories in one table",
                                 in_quotes(plan.columns[label.column].heading),
                                 in_quotes(label.value), in_quotes(value)),
@@ -166,7 +166,7 @@ void check_labels(const RecordText& file, const TablePlan& plan, std::size_t lin
 double cell_number(const RecordText& file, std::size_t line, std::string_view cell,
                    const TableStyle& style, const char* what) {
   if (const auto value = table_number(cell, style); value && std::isfinite(*value)) return *value;
-  return parse_finite(file.path, line, cell, what);
+  return parse_finite(file, line, cell, what);
 }
 
 struct TableRows {
@@ -186,7 +186,7 @@ TableRows read_rows(const RecordText& file, const TablePlan& plan, std::size_t c
     const std::size_t line = lines.number();
     const auto row = row_cells(lines.line(), style);
     if (row.size() != plan.columns.size())
-      refuse_record(place(file.path, line),
+      refuse_record(file.at(line),
                     fmt::format("{} columns, {} above", row.size(), plan.columns.size()),
                     "the file is cut short, or holds more than one table: give one");
     check_labels(file, plan, line, row, labels);
@@ -197,8 +197,7 @@ TableRows read_rows(const RecordText& file, const TablePlan& plan, std::size_t c
       rows.time.add(time, token, line);
     }
     const double value = cell_number(file, line, row[column], style, "the value");
-    add_sample(file.path, parse_sample(file.path, line, shortest_decimal(value), unit_mps2),
-               rows.samples_mps2);
+    add_sample(file, line, shortest_decimal(value), unit_mps2, rows.samples_mps2);
   }
   return rows;
 }
@@ -207,7 +206,7 @@ double table_step(const RecordText& file, const TablePlan& plan, TimeColumn& tim
                   const RecordFileOptions& options, std::vector<std::string>& notes) {
   if (!plan.time) {
     if (!options.dt_s && !plan.stated.dt_s)
-      refuse_record(place(file.path, plan.shape.first_row),
+      refuse_record(file.at(plan.shape.first_row),
                     plan.has_heading ? "no column is the time: " + listed_headings(plan)
                                      : std::string("one column does not give the time step"),
                     "head the time Time (s), or give the step with dt_s");

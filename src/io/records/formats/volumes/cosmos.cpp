@@ -14,8 +14,7 @@ namespace {
 constexpr std::size_t cosmos_step_at = 33;  // of the reals, from 0
 
 bool is_cosmos(const RecordText& file) {
-  LineReader lines(file.text);
-  return lines.next() && lower_case(lines.line()).find("(format v01.") != std::string::npos;
+  return lower_case(file.first_line()).find("(format v01.") != std::string::npos;
 }
 
 /// What stands between two words of a line; "" where they do not.
@@ -36,11 +35,10 @@ double cosmos_step_s(const RecordText& file, LineReader& lines) {
     const auto row = fixed_fields(lines.line(), width);
     if (row.empty()) break;
     if (seen + row.size() > cosmos_step_at)
-      return parse_finite(file.path, lines.number(), row[cosmos_step_at - seen], "the step");
+      return parse_finite(file, lines.number(), row[cosmos_step_at - seen], "the step");
     seen += row.size();
   }
-  refuse_record(place(file.path, begin), "the header does not state its step, the 34th real",
-                "the file is cut short: get it again");
+  refuse_record(file.at(begin), "the header does not state its step, the 34th real", cut_short);
 }
 
 /// What the lines above a block state.
@@ -96,20 +94,20 @@ FileComponent cosmos_component(const RecordText& file, LineReader& lines,
   const std::string line(lines.line());
   const std::string unit = between(lower_case(line), "units=", "(");
   const double unit_mps2 = stated_unit(file, unit, lines.number(), options);
-  const double dt_s =
-      stated_step(channel.step_line == 0 ? file.path.string() : place(file.path, channel.step_line),
-                  shortest_decimal(channel.dt_s), channel.dt_s, options);
+  const double dt_s = stated_step(file.at(channel.step_line), shortest_decimal(channel.dt_s),
+                                  channel.dt_s, options);
   const std::size_t count =
       stated_count(file, {"the count of values", line.substr(0, line.find("pts")), lines.number()});
-  FileComponent component = file_component(
-      file, channel.name, dt_s, read_block(file, lines, {count, field_width(line), unit_mps2}));
-  component.direction = trimmed(channel.name.substr(channel.name.rfind(':') + 1));
+  const std::string direction(trimmed(channel.name.substr(channel.name.rfind(':') + 1)));
   RecordHeader header = channel.header;
   header.station = channel.station;
-  header.direction = plain_direction(component.direction);
+  header.direction = plain_direction(direction);
   header.unit = unit;
   header.is_processed = channel.kind.starts_with("Corrected");
-  state_header(component, std::move(header));
+  FileComponent component = file_component(
+      file, channel.name, dt_s, read_block(file, lines, {count, field_width(line), unit_mps2}),
+      std::move(header));
+  component.direction = direction;
   if (!channel.kind.starts_with("Corrected"))
     component.record.notes.push_back("COSMOS, \"" + channel.kind + "\": not corrected");
   return component;
@@ -130,7 +128,7 @@ std::vector<FileComponent> read_cosmos(const RecordText& file, const RecordFileO
     }
   }
   if (components.empty())
-    refuse_record(file.path.string(),
+    refuse_record(file,
                   other.empty() ? "is a COSMOS file without a block of values"
                                 : "is a COSMOS file of " + in_quotes(other),
                   "give the file of accelerations, V1 or V2");

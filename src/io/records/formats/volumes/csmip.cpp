@@ -103,16 +103,16 @@ FileComponent csmip_component(const RecordText& file, LineReader& lines, const s
   if (std::string unit = csmip_unit(lower); !unit.empty()) stated.unit = std::move(unit);
   stated.is_processed = channel.corrected;
   const double unit_mps2 = stated_unit(file, stated.unit, line, options);
-  const double dt_s =
-      stated_step(place(file.path, line), in_quotes(lower), csmip_step_s(lower), options);
+  const double dt_s = stated_step(file.at(line), in_quotes(lower), csmip_step_s(lower), options);
   const std::size_t count =
       stated_count(file, {"the count of points", lower.substr(0, lower.find("points")), line});
   const std::size_t width = stated_width > 0 ? stated_width : csmip_width(lines);
+  const std::string direction(trimmed(channel.name.substr(channel.name.find(':') + 1)));
+  stated.direction = plain_direction(direction);
   FileComponent component =
-      file_component(file, channel.name, dt_s, read_block(file, lines, {count, width, unit_mps2}));
-  component.direction = trimmed(channel.name.substr(channel.name.find(':') + 1));
-  stated.direction = plain_direction(component.direction);
-  state_header(component, std::move(stated));
+      file_component(file, channel.name, dt_s, read_block(file, lines, {count, width, unit_mps2}),
+                     std::move(stated));
+  component.direction = direction;
   if (!channel.corrected) component.record.notes.emplace_back("CSMIP or USGS V1: not corrected");
   return component;
 }
@@ -128,7 +128,7 @@ std::vector<FileComponent> read_csmip(const RecordText& file, const RecordFileOp
       read_csmip_line(lines.line(), lower, channel);
   }
   if (components.empty())
-    refuse_record(file.path.string(), "holds velocities or displacements, and no accelerations",
+    refuse_record(file, "holds velocities or displacements, and no accelerations",
                   "give the file of accelerations, V1 or V2");
   return components;
 }

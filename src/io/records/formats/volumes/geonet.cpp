@@ -17,10 +17,7 @@ bool is_geonet_title(std::string_view line) {
           line.starts_with("Corrected accelerogram")) &&
          line.find("GNS") != std::string_view::npos;
 }
-bool is_geonet(const RecordText& file) {
-  LineReader lines(file.text);
-  return lines.next() && is_geonet_title(lines.line());
-}
+bool is_geonet(const RecordText& file) { return is_geonet_title(file.first_line()); }
 
 /// What the text lines of a component state.
 struct GeonetText {
@@ -79,20 +76,19 @@ std::vector<FileComponent> read_geonet(const RecordText& file, const RecordFileO
     if (!is_geonet_title(lines.line())) continue;  // velocities and displacements
     const GeonetText text = geonet_text(lines);
     const double unit_mps2 = stated_unit(file, text.unit, text.unit_line, options);
-    const double dt_s = stated_step(place(file.path, text.step_line), "(none)", text.dt_s, options);
+    const double dt_s = stated_step(file.at(text.step_line), "(none)", text.dt_s, options);
     const std::size_t count = geonet_count(file, lines);
-    components.push_back(file_component(file, text.name, dt_s,
-                                        read_block(file, lines, {count, geonet_width, unit_mps2})));
     RecordHeader header = text.header;
     header.event = text.event.empty() ? text.title : text.event;
     header.station = text.site;
     header.direction = plain_direction(text.name);
     header.unit = text.unit;
     header.is_processed = text.title.starts_with("Corrected");
-    state_header(components.back(), std::move(header));
-    Record& record = components.back().record;
+    components.push_back(file_component(file, text.name, dt_s,
+                                        read_block(file, lines, {count, geonet_width, unit_mps2}),
+                                        std::move(header)));
     if (text.title.starts_with("Uncorrected"))
-      record.notes.emplace_back("GeoNet V1A: uncorrected accelerogram");
+      components.back().record.notes.emplace_back("GeoNet V1A: uncorrected accelerogram");
   }
   return components;
 }

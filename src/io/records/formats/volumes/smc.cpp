@@ -41,22 +41,21 @@ std::vector<double> smc_header(const RecordText& file, LineReader& lines, std::s
   std::vector<double> values{0.0};
   while (values.size() <= count && lines.next())
     for (const std::string_view field : fixed_fields(lines.line(), width))
-      values.push_back(parse_finite(file.path, lines.number(), field, "the header's value"));
+      values.push_back(parse_finite(file, lines.number(), field, "the header's value"));
   if (values.size() != count + 1)
-    refuse_record(file.path.string(), fmt::format("does not have {} values in its header", count),
-                  "the file is cut short: get it again");
+    refuse_record(file, fmt::format("does not have {} values in its header", count), cut_short);
   return values;
 }
 
 /// The quantity that line 1 names, as a unit.
 std::string smc_unit(const RecordText& file, std::size_t kind, const RecordFileOptions& options) {
   if (kind == 0 && !options.units)
-    refuse_record(place(file.path, 1), "does not say what it holds (0 UNKNOWN)",
+    refuse_record(file.at(1), "does not say what it holds (0 UNKNOWN)",
                   "give units, where it holds accelerations: cm/s2 in SMC files");
   if (kind == 0) return "";
   if (kind <= 2) return "cm/s2";
   if (kind > 4)
-    refuse_record(place(file.path, 1), "is a spectrum, no motion",
+    refuse_record(file.at(1), "is a spectrum, no motion",
                   "give the file of accelerations, 1 or 2 in its first line");
   return kind == 3 ? "cm/s" : "cm";
 }
@@ -108,21 +107,20 @@ std::vector<FileComponent> read_smc(const RecordText& file, const RecordFileOpti
     TimedSamples pairs;
     while (2 * pairs.samples_mps2.size() < count && lines.next())
       add_pairs(file, lines.number(), fixed_fields(lines.line(), width), unit_mps2, pairs);
-    check_stated_count(place(file.path, count_line), count, 2 * pairs.samples_mps2.size());
+    check_stated_count(file.at(count_line), count, 2 * pairs.samples_mps2.size());
     dt_s = digitised_step_s(file, pairs, options);
     samples = std::move(pairs.samples_mps2);
   } else {
-    dt_s =
-        stated_step(place(file.path, smc_text_lines + 7), "1 / " + shortest_decimal(rate) + " Hz",
-                    has_rate ? 1.0 / rate : 0.0, options);
+    dt_s = stated_step(file.at(smc_text_lines + 7), "1 / " + shortest_decimal(rate) + " Hz",
+                       has_rate ? 1.0 / rate : 0.0, options);
     samples = read_block(file, lines, {count, width, unit_mps2});
   }
   const std::string direction = smc_direction(integers);
-  FileComponent component = file_component(file, direction, dt_s, std::move(samples));
   header.direction = direction;
   header.unit = unit;
   if (kind > 0) header.is_processed = kind == 2;
-  state_header(component, std::move(header));
+  FileComponent component =
+      file_component(file, direction, dt_s, std::move(samples), std::move(header));
   if (kind == 1) component.record.notes.emplace_back("SMC, uncorrected accelerogram");
   return {std::move(component)};
 }

@@ -16,13 +16,10 @@ namespace {
 constexpr std::size_t volume_one_header_lines = 14;  // integers and reals
 
 bool is_usc(const RecordText& file) {
-  LineReader lines(file.text);
-  return lines.next() &&
-         lines.line().find("UNCORRECTED ACCELEROGRAM DATA") != std::string_view::npos;
+  return file.first_line().find("UNCORRECTED ACCELEROGRAM DATA") != std::string_view::npos;
 }
 bool is_bhrc(const RecordText& file) {
-  LineReader lines(file.text);
-  return lines.next() && trimmed(lines.line()).starts_with("* VOL1DS FILE");
+  return trimmed(file.first_line()).starts_with("* VOL1DS FILE");
 }
 
 /// The text lines of a component, to the one with its units; the lines go on behind integers and
@@ -83,31 +80,44 @@ std::optional<VolumeOneHeader> volume_one_header(const RecordText& file, LineRea
     }
   }
   if (header.name.empty()) return std::nullopt;
-  refuse_record(file.path.string(), "has a component without NO. OF POINTS and units",
-                "the file is cut short: get it again");
+  refuse_record(file, "has a component without NO. OF POINTS and units", cut_short);
 }
 
-FileComponent volume_one_component(const RecordText& file, const VolumeOneHeader& header,
-                                   double dt_s, std::vector<double> samples) {
-  FileComponent component = file_component(file, header.name, dt_s, std::move(samples));
-  RecordHeader stated = header.stated;
-  stated.station = header.station;
-  stated.direction = plain_direction(header.name);
-  stated.unit = header.unit;
-  stated.is_processed = false;
-  state_header(component, std::move(stated));
-  component.record.notes.emplace_back("uncorrected accelerogram (Volume I)");
-  return component;
+/// The step and the samples of a component, whose lines follow.
+struct VolumeOneSamples {
+  double dt_s;
+  std::vector<double> samples_mps2;
+};
+
+/// Every component of a file.
+/// @param read the samples below a header, in units of so many m/s2
+template <class Read>
+std::vector<FileComponent> volume_one_components(const RecordText& file,
+                                                 const RecordFileOptions& options,
+                                                 const Read& read) {
+  std::vector<FileComponent> components;
+  LineReader lines(file.text);
+  while (const auto header = volume_one_header(file, lines)) {
+    const double unit_mps2 = stated_unit(file, header->unit, header->unit_line, options);
+    auto [dt_s, samples_mps2] = read(lines, *header, unit_mps2);
+    RecordHeader stated = header->stated;
+    stated.station = header->station;
+    stated.direction = plain_direction(header->name);
+    stated.unit = header->unit;
+    stated.is_processed = false;
+    components.push_back(
+        file_component(file, header->name, dt_s, std::move(samples_mps2), std::move(stated)));
+    components.back().record.notes.emplace_back("uncorrected accelerogram (Volume I)");
+  }
+  if (components.empty()) refuse_record(file, "has no component", cut_short);
+  return components;
 }
 
 /// Pairs of time and acceleration; a blank may stand before them (1X, 10F7.3).
 std::vector<FileComponent> read_usc(const RecordText& file, const RecordFileOptions& options) {
   constexpr std::size_t width = 7;
-  std::vector<FileComponent> components;
-  LineReader lines(file.text);
-  while (const auto header = volume_one_header(file, lines)) {
+  const auto read = [&](LineReader& lines, const VolumeOneHeader& header, double unit_mps2) {
     TimedSamples pairs;
-    const double unit_mps2 = stated_unit(file, header->unit, header->unit_line, options);
     for (LineReader ahead = lines; ahead.next(); lines = ahead) {
       const std::string_view line = ahead.line();
       if (line.starts_with("FILE") || line.starts_with("/&")) break;
@@ -115,32 +125,23 @@ std::vector<FileComponent> read_usc(const RecordText& file, const RecordFileOpti
                 fixed_fields(line.size() % width == 1 ? line.substr(1) : line, width), unit_mps2,
                 pairs);
     }
-    check_stated_count(place(file.path, header->points_line), header->points,
-                       pairs.samples_mps2.size());
+    check_stated_count(file.at(header.points_line), header.points, pairs.samples_mps2.size());
     const double dt_s = digitised_step_s(file, pairs, options);
-    components.push_back(volume_one_component(file, *header, dt_s, std::move(pairs.samples_mps2)));
-  }
-  if (components.empty())
-    refuse_record(file.path.string(), "has no component", "the file is cut short: get it again");
-  return components;
+    return VolumeOneSamples{dt_s, std::move(pairs.samples_mps2)};
+  };
+  return volume_one_components(file, options, read);
 }
 
 std::vector<FileComponent> read_bhrc(const RecordText& file, const RecordFileOptions& options) {
   constexpr std::size_t width = 13;
-  std::vector<FileComponent> components;
-  LineReader lines(file.text);
-  while (const auto header = volume_one_header(file, lines)) {
-    const double unit_mps2 = stated_unit(file, header->unit, header->unit_line, options);
+  const auto read = [&](LineReader& lines, const VolumeOneHeader& header, double unit_mps2) {
     // Of the duration, to the digits it is printed with.
-    const double mean_s = header->duration_s / static_cast<double>(header->points);
-    const double dt_s = stated_step(place(file.path, header->points_line), shortest_decimal(mean_s),
+    const double mean_s = header.duration_s / static_cast<double>(header.points);
+    const double dt_s = stated_step(file.at(header.points_line), shortest_decimal(mean_s),
                                     std::round(mean_s * 1e6) * 1e-6, options);
-    components.push_back(volume_one_component(
-        file, *header, dt_s, read_block(file, lines, {header->points, width, unit_mps2})));
-  }
-  if (components.empty())
-    refuse_record(file.path.string(), "has no component", "the file is cut short: get it again");
-  return components;
+    return VolumeOneSamples{dt_s, read_block(file, lines, {header.points, width, unit_mps2})};
+  };
+  return volume_one_components(file, options, read);
 }
 
 }  // namespace

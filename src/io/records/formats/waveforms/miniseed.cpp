@@ -54,7 +54,7 @@ MseedRecord parse_mseed(const RecordText& file, std::string& bytes, std::size_t 
       msr_parse(bytes.data() + at, static_cast<int>(left), &raw, unknown_length, with_data, quiet);
   MseedRecord record(raw);
   if (code == MS_NOERROR && record && record->reclen >= MINRECLEN) return record;
-  refuse_record(file.path.string(), fmt::format("the miniSEED record at byte {} is damaged", at),
+  refuse_record(file, fmt::format("the miniSEED record at byte {} is damaged", at),
                 "the file is cut short or no miniSEED 2: get it again");
 }
 
@@ -68,7 +68,7 @@ void check_continues(const RecordText& file, const MseedChannel& channel, MSReco
   const double step = HPTMODULUS / channel.rate_hz;
   const auto apart = static_cast<double>(record.starttime - channel.end);
   if (record.samprate == channel.rate_hz && std::abs(apart - step) <= 0.5 * step) return;
-  refuse_record(file.path.string(),
+  refuse_record(file,
                 fmt::format("channel {} has a gap, an overlap or another rate: from {} to {}",
                             channel.name, time_text(channel.end), time_text(record.starttime)),
                 "cut out the continuous part that holds the motion");
@@ -77,7 +77,7 @@ void check_continues(const RecordText& file, const MseedChannel& channel, MSReco
 void append_mseed(const RecordText& file, MseedChannel& channel, const MSRecord& record) {
   const auto add = [&](const auto* values) {
     for (std::int64_t i = 0; i < record.numsamples; ++i)
-      add_sample(file.path, static_cast<double>(values[i]), channel.values);
+      add_number(file, static_cast<double>(values[i]), channel.values);
   };
   switch (record.sampletype) {
     case 'i':
@@ -88,7 +88,7 @@ void append_mseed(const RecordText& file, MseedChannel& channel, const MSRecord&
     case 'd':
       return add(static_cast<const double*>(record.datasamples));
     default:
-      refuse_record(file.path.string(), "channel " + channel.name + " holds no numbers",
+      refuse_record(file, "channel " + channel.name + " holds no numbers",
                     "give the channel of an accelerometer");
   }
 }
@@ -137,13 +137,13 @@ std::vector<FileComponent> read_miniseed(const RecordText& file, const RecordFil
     const std::string code = channel.name.substr(channel.name.rfind('_') + 1),
                       direction = gain && !gain->direction.empty() ? gain->direction
                                                                    : plain_direction(code);
-    FileComponent component = file_component(file, channel.name, dt_s, std::move(samples));
-    component.direction = code;
-    if (gain) component.counts_per_mps2 = gain->counts_per_mps2;
     RecordHeader header{"", channel.name.substr(0, channel.name.rfind('_')), direction,
                         channel.is_counts ? "counts" : ""};
     if (channel.is_counts) header.is_processed = false;
-    state_header(component, std::move(header));
+    FileComponent component =
+        file_component(file, channel.name, dt_s, std::move(samples), std::move(header));
+    component.direction = code;
+    if (gain) component.counts_per_mps2 = gain->counts_per_mps2;
     if (channel.is_counts)
       component.record.notes.emplace_back(
           "counts of the recorder by " +
@@ -151,15 +151,14 @@ std::vector<FileComponent> read_miniseed(const RecordText& file, const RecordFil
           ": not corrected, their offset is in them");
     components.push_back(std::move(component));
   }
-  if (components.empty())
-    refuse_record(file.path.string(), "is miniSEED without samples", "get the file again");
+  if (components.empty()) refuse_record(file, "is miniSEED without samples", "get the file again");
   return components;
 }
 
 #else
 
 std::vector<FileComponent> read_miniseed(const RecordText& file, const RecordFileOptions&) {
-  refuse_record(file.path.string(), "is miniSEED, which this glissade was built without",
+  refuse_record(file, "is miniSEED, which this glissade was built without",
                 "install libmseed-dev and build it again, or write it as text (ObsPy: "
                 "stream.write(..., format=\"TSPAIR\"))");
 }

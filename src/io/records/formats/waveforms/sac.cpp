@@ -71,7 +71,7 @@ double sac_step_s(float delta) {
 std::string sac_unit(const RecordText& file, std::int32_t quantity,
                      const RecordFileOptions& options) {
   if (quantity == sac_velocity || quantity == sac_displacement)
-    refuse_record(file.path.string(),
+    refuse_record(file,
                   std::string("is a SAC file of ") +
                       (quantity == sac_velocity ? "velocities" : "displacements"),
                   "give the file of accelerations");
@@ -103,15 +103,13 @@ std::vector<FileComponent> read_sac(const RecordText& file, const RecordFileOpti
     add_value(file, sac_float(bytes, sac_header_bytes / sizeof(float) + i, big), unit_mps2,
               samples);
   const std::string channel = sac_name(bytes, 20);
-  FileComponent component = file_component(file, channel, dt_s, std::move(samples));
   RecordHeader header{sac_long_name(bytes), sac_name(bytes, 21) + "." + sac_name(bytes, 0),
                       plain_direction(channel), unit};
   state_magnitude(header, fmt::format("M {:.4g}", sac_float(bytes, sac_magnitude, big)),
                   {{"M", "M"}});
   if (const float km = sac_float(bytes, sac_distance, big); km > 0.0F && km < 1e5F)
     header.epicentral_km = km;
-  state_header(component, std::move(header));
-  return {std::move(component)};
+  return {file_component(file, channel, dt_s, std::move(samples), std::move(header))};
 }
 
 }  // namespace
