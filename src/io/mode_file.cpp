@@ -73,20 +73,9 @@ void check_shapes(const std::filesystem::path& file, const ModeFileOptions& opti
 
 /// Separated by tabs, semicolons or commas, with or without quotes.
 Cells split_cells(std::string_view line) {
-  const char separator = line.find('\t') != line.npos  ? '\t'
-                         : line.find(';') != line.npos ? ';'
-                                                       : ',';
-  Cells cells;
-  for (bool more = true; more;) {
-    const std::size_t end = line.find(separator);
-    std::string_view cell = trimmed(line.substr(0, end));
-    if (cell.size() > 1 && cell.front() == '"' && cell.back() == '"')
-      cell = trimmed(cell.substr(1, cell.size() - 2));
-    cells.push_back(cell);
-    more = end != line.npos;
-    if (more) line.remove_prefix(end + 1);
-  }
-  return cells;
+  return quoted_cells(line, line.find('\t') != line.npos  ? '\t'
+                            : line.find(';') != line.npos ? ';'
+                                                          : ',');
 }
 
 /// A table with a heading, of an engineer or exported.

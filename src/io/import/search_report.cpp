@@ -11,44 +11,29 @@
 #include "glissade/core/error.hpp"
 #include "glissade/io/record_header.hpp"
 #include "import/component_name.hpp"
+#include "text/csv_rows.hpp"
 #include "text/scan.hpp"
 
 namespace glissade {
 namespace {
 
-/// Cells without their quotes, in which separators may stand, and the blanks around them.
-std::vector<std::string> quoted_cells(std::string_view line, char separator) {
-  std::vector<std::string> cells(1);
-  bool is_quoted = false;
-  for (const char c : line) {
-    if (c == '"')
-      is_quoted = !is_quoted;
-    else if (c == separator && !is_quoted)
-      cells.emplace_back();
-    else
-      cells.back() += c;
-  }
-  for (std::string& cell : cells) cell = trimmed(cell);
-  return cells;
-}
-
 /// A heading and where its columns are.
 class ReportColumns {
  public:
-  explicit ReportColumns(const std::vector<std::string>& names) {
-    for (const std::string& name : names) names_.push_back(lower_case(name));
+  explicit ReportColumns(const Cells& names) {
+    for (const std::string_view name : names) names_.push_back(lower_case(name));
   }
   bool have(std::string_view name) const {
     return std::ranges::find(names_, lower_case(name)) != names_.end();
   }
   /// "": the table has no such column, or nothing in it.
-  std::string text(const std::vector<std::string>& row, std::string_view name) const {
+  std::string text(const Cells& row, std::string_view name) const {
     const auto at =
         static_cast<std::size_t>(std::ranges::find(names_, lower_case(name)) - names_.begin());
-    return at < row.size() ? row[at] : "";
+    return std::string(at < row.size() ? row[at] : "");
   }
   /// 0 where it is no number above 0 and up to `most`: reports write "-", "-999" or nothing.
-  double number(const std::vector<std::string>& row, std::string_view name, double most) const {
+  double number(const Cells& row, std::string_view name, double most) const {
     const auto value = parse_number(text(row, name));
     return value && *value > 0.0 && *value <= most ? *value : 0.0;
   }
@@ -67,15 +52,15 @@ struct KindColumn {
 using KindColumns = std::initializer_list<KindColumn>;
 
 /// Of the first column with a number.
-void take_magnitude(ReportRow& row, const ReportColumns& columns,
-                    const std::vector<std::string>& cells, KindColumns of) {
+void take_magnitude(ReportRow& row, const ReportColumns& columns, const Cells& cells,
+                    KindColumns of) {
   for (auto at = of.begin(); at != of.end() && row.magnitude == 0.0; ++at) {
     row.magnitude = columns.number(cells, at->name, largest_magnitude);
     if (row.magnitude > 0.0) row.magnitude_kind = at->kind;
   }
 }
-void take_distance(ReportRow& row, const ReportColumns& columns,
-                   const std::vector<std::string>& cells, KindColumns of) {
+void take_distance(ReportRow& row, const ReportColumns& columns, const Cells& cells,
+                   KindColumns of) {
   for (auto at = of.begin(); at != of.end() && row.distance_km == 0.0; ++at) {
     row.distance_km = columns.number(cells, at->name, longest_distance_km);
     if (row.distance_km > 0.0) row.distance_kind = at->kind;
@@ -100,7 +85,7 @@ std::string peer_file(const std::string& name) {
   return name.find_first_not_of("- ") == std::string::npos ? "" : name;
 }
 
-ReportRow peer_row(const ReportColumns& columns, const std::vector<std::string>& cells) {
+ReportRow peer_row(const ReportColumns& columns, const Cells& cells) {
   ReportRow row;
   row.rsn = plain_line(columns.text(cells, "Record Sequence Number"));
   row.event = plain_line(with_commas(columns.text(cells, "Earthquake Name")) + " " +
@@ -116,7 +101,7 @@ ReportRow peer_row(const ReportColumns& columns, const std::vector<std::string>&
   return row;
 }
 
-ReportRow esm_row(const ReportColumns& columns, const std::vector<std::string>& cells) {
+ReportRow esm_row(const ReportColumns& columns, const Cells& cells) {
   ReportRow row;
   row.event_id = columns.text(cells, "event_id");
   row.station = columns.text(cells, "network_code") + "." + columns.text(cells, "station_code");

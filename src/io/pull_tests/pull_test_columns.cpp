@@ -66,19 +66,6 @@ std::string suggestion_for(const std::string& name) {
 
 }  // namespace
 
-std::vector<std::string_view> csv_cells(std::string_view line) {
-  std::vector<std::string_view> cells;
-  for (std::size_t begin = 0; begin <= line.size();) {
-    const std::size_t end = std::min(line.find(',', begin), line.size());
-    std::string_view cell = trimmed(line.substr(begin, end - begin));
-    if (cell.size() >= 2 && cell.front() == '"' && cell.back() == '"')
-      cell = cell.substr(1, cell.size() - 2);
-    cells.push_back(cell);
-    begin = end + 1;
-  }
-  return cells;
-}
-
 PullTestHeader read_pull_test_header(const std::string& where, std::string_view line,
                                      const std::vector<std::string_view>& cells) {
   refuse_separators(where, line, ";\t");

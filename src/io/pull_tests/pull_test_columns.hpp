@@ -10,9 +10,6 @@
 
 namespace glissade {
 
-/// The cells of a CSV line, trimmed, without the quotes around a whole cell.
-std::vector<std::string_view> csv_cells(std::string_view line);
-
 enum class PullTestColumn { test, direction, time, displacement, force, normal };
 inline constexpr std::size_t pull_test_columns = 6;
 

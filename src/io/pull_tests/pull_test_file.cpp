@@ -26,6 +26,8 @@ constexpr const char* pull_test_beginning =
     "a header (test, direction, displacement_m, force_n, normal_n; or mu, of tests that are "
     "evaluated) and give a row for each sample or test";
 
+Cells comma_cells(std::string_view line) { return quoted_cells(line, ','); }
+
 struct PullTestRow {
   std::string test, direction;
   std::optional<double> time_s;
@@ -190,7 +192,7 @@ class Sheet {
 std::vector<EvaluatedTests> read_sheet(const TextFile& file, DirectionNames& directions) {
   Sheet sheet(directions);
   read_csv(file,
-           {.split = csv_cells,
+           {.split = comma_cells,
             .shown_of_a_kind = 1,
             .begin_with = pull_test_beginning,
             .take_header = [&](const auto&, const auto&,
@@ -202,7 +204,7 @@ std::vector<EvaluatedTests> read_sheet(const TextFile& file, DirectionNames& dir
 std::vector<PullTest> read_logs(const TextFile& file, DirectionNames& directions) {
   PullTestHeader header;
   TestBuilder builder(file.path);
-  read_csv(file, {.split = csv_cells,
+  read_csv(file, {.split = comma_cells,
                   .shown_of_a_kind = 1,
                   .begin_with = pull_test_beginning,
                   .take_header =

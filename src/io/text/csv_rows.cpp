@@ -130,6 +130,22 @@ void drop_empty_end(Cells& cells, std::size_t width) {
 
 }  // namespace
 
+Cells quoted_cells(std::string_view line, char separator) {
+  Cells cells;
+  for (bool more = true; more;) {
+    line.remove_prefix(std::min(line.find_first_not_of(" "), line.size()));
+    const std::size_t quote = line.starts_with('"') ? line.find('"', 1) : line.npos;
+    const std::size_t end = line.find(separator, quote == line.npos ? 0 : quote);
+    std::string_view cell = trimmed(line.substr(0, end));
+    if (cell.size() > 1 && cell.front() == '"' && cell.back() == '"')
+      cell = trimmed(cell.substr(1, cell.size() - 2));
+    cells.push_back(cell);
+    more = end != line.npos;
+    if (more) line.remove_prefix(end + 1);
+  }
+  return cells;
+}
+
 void read_csv(const TextFile& file, const CsvReader& csv) {
   refuse_no_text(file.path, file.text);
   LineReader lines(file.text);

@@ -20,6 +20,10 @@ struct RowTrouble {
 
 using Cells = std::vector<std::string_view>;
 
+/// The cells of a line, without the quotes in which a separator may stand, and the blanks around
+/// them.
+Cells quoted_cells(std::string_view line, char separator);
+
 /// A file with a header that names its columns, and a row of as many cells in each line below.
 struct CsvReader {
   Cells (*split)(std::string_view line);  ///< cells of a line
