@@ -72,7 +72,7 @@ TEST_F(Stripes, are_as_many_as_the_levels) {
                  {"suite.stripes has 2 suites, and intensity.levels 1 levels"});
   expect_refused(run_program({"check", study(replaced(stripes_study(),
                                                       "stripes =", "file = \"a\"\nstripes ="))}),
-                 {"suite.file and suite.stripes are both given"});
+                 {"suite.stripes and suite.file are both given"});
   expect_refused(
       run_program({"check", study(replaced(stripes_study(), "sa_period_s = 0.5\n", ""))}),
       {"sa_period_s"});

@@ -40,11 +40,7 @@ struct Given {
 /// A slope in degrees, given as slope_deg or as rise_in_12.
 Given read_slope(const TomlTable& table) {
   if (!table.has("rise_in_12")) return {"slope_deg", table.number("slope_deg")};
-  if (table.has("slope_deg"))
-    table.report(
-        "slope_deg",
-        table.name_of("slope_deg") + " and " + table.name_of("rise_in_12") + " are both given",
-        "give the slope one way");
+  table.refuse_both("slope_deg", "rise_in_12", "give the slope one way");
   const auto rise = table.number("rise_in_12");
   return {"rise_in_12", rise ? std::optional(slope_of_rise_deg(*rise)) : std::nullopt};
 }

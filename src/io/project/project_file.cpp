@@ -221,9 +221,7 @@ void read_model(const TomlTable& table, ProjectBuilding& building) {
 ProjectBuilding read_building(const TomlTable& table, const Project& project) {
   if (project.of_roof) return read_building_below(table);
   ProjectBuilding building;
-  if (table.has("period_s") && table.has("system"))
-    table.report("period_s", "building.period_s and building.system are both given",
-                 "give the period, or the system and the height");
+  table.refuse_both("period_s", "system", "give the period, or the system and the height");
   if (table.has("system")) {
     periods_of_system(table, project, building);
   } else {
@@ -237,9 +235,7 @@ ProjectBuilding read_building(const TomlTable& table, const Project& project) {
                              building.period_s.back(), most_period_s),
                  "check the units: seconds, metres");
   const NumberRule to_one{"from 0 to 1", [](double x) { return x >= 0.0 && x <= 1.0; }};
-  if (table.has("mass_ratio") && table.has("weight_kn"))
-    table.report("mass_ratio", "building.mass_ratio and building.weight_kn are both given",
-                 "give the ratio, or both weights");
+  table.refuse_both("mass_ratio", "weight_kn", "give the ratio, or both weights");
   if (table.has("weight_kn") && table.has("array_weight_kn")) {
     const double array_kn = table.number("array_weight_kn", not_negative).value_or(0.0);
     const double weight_kn = table.number("weight_kn", above_zero).value_or(1.0);
@@ -267,9 +263,7 @@ ProjectBuilding read_building(const TomlTable& table, const Project& project) {
 
 std::vector<double> read_slopes(const TomlTable& table) {
   constexpr NumberRule flat_enough{"from 0 to 20", [](double x) { return x >= 0.0 && x <= 20.0; }};
-  if (table.has("rise_in_12") && table.has("slope_deg"))
-    table.report("slope_deg", "roof.slope_deg and roof.rise_in_12 are both given",
-                 "give the slope one way");
+  table.refuse_both("slope_deg", "rise_in_12", "give the slope one way");
   if (table.has("slope_deg")) return read_values(table, "slope_deg", flat_enough);
   std::vector<double> slopes = read_values(
       table, "rise_in_12", {"from 0 to 4", [](double x) { return x >= 0.0 && x <= 4.0; }});

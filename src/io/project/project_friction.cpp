@@ -35,11 +35,8 @@ const DirectionFriction* tested_friction(const TomlTable& table, const PullTestS
 
 void take_tests(const TomlTable& table, const fs::path& folder, ProjectFriction& friction) {
   const std::string name = table.text("file").value_or("");
-  for (const char* key : {"mu", "source", "tests"}) {
-    if (table.has(key))
-      table.report(key, fmt::format("friction.file and friction.{} are both given", key),
-                   "give the file of pull tests, or mu and source");
-  }
+  for (const char* key : {"mu", "source", "tests"})
+    table.refuse_both(key, "file", "give the file of pull tests, or mu and source");
   try {
     const PullTestResults results = read_pull_test_results(folder / name, SlidingRule{});
     const DirectionFriction* found = tested_friction(table, results.summary);

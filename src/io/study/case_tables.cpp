@@ -161,12 +161,8 @@ void read_building(const TomlTable& table, StudyConfig& study) {
 
 void check_quantities(const TomlTable& root, StudyConfig& study) {
   const TomlTable roof = root.table("roof");
-  if (const auto slope = read_rise_in_12(roof)) {
-    if (roof.has("slope_deg"))
-      roof.report("slope_deg", "roof.slope_deg and roof.rise_in_12 are both given",
-                  "give the slope one way");
-    study.quantities.at("roof", "slope_deg") = *slope;
-  }
+  roof.refuse_both("slope_deg", "rise_in_12", "give the slope one way");
+  if (const auto slope = read_rise_in_12(roof)) study.quantities.at("roof", "slope_deg") = *slope;
   check_strength(root.table("building"), study);
   read_building(root.table("building"), study);
 }
@@ -184,10 +180,7 @@ void read_friction(const TomlTable& table, const std::vector<FrictionValue>& usu
                          "give mu = 0.5, mu = { mean = 0.55, std = 0.04 }, a list or a "
                          "distribution, or a file of pull tests");
   }
-  if (table.has("neighbour_mu") && table.has("neighbour_over_mu"))
-    table.report("neighbour_over_mu",
-                 "friction.neighbour_mu and friction.neighbour_over_mu are both given",
-                 "give the neighbour's friction one way");
+  table.refuse_both("neighbour_over_mu", "neighbour_mu", "give the neighbour's friction one way");
   if (!study.two_axes()) return;
   refuse_zero(table, study.quantities.at("friction", "mu"), "mu");
   if (study.friction.across_is_given)

@@ -100,11 +100,10 @@ void read_suites(const TomlTable& table, StudyConfig& study) {
   std::vector<std::string> names;
   for (const char* path : {"file", "files", "stripes"}) table.hash_without_folders(path);
   const char* key = table.has("stripes") ? "stripes" : table.has("files") ? "files" : "file";
-  for (const char* other : {"file", "files"}) {
-    if (key != std::string(other) && table.has(other) && key != std::string("file"))
-      table.report(key, fmt::format("suite.{} and suite.{} are both given", other, key),
-                   "name one suite by file, several by files, or one for each level by stripes");
-  }
+  for (const char* other : {"file", "files"})
+    if (key != std::string(other))
+      table.refuse_both(
+          key, other, "name one suite by file, several by files, or one for each level by stripes");
   if (key == std::string("file")) {
     names = {table.required_text("file", "several suites are suite.files = [...]")};
   } else {

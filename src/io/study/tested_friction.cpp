@@ -100,12 +100,8 @@ void take(const TomlTable& table, const PullTestSummary& summary, const std::str
 
 void read_tested_friction(const TomlTable& table, StudyConfig& study) {
   const std::size_t problems_before = table.problem_count();
-  for (const char* key : {"mu", "across_mu"}) {
-    if (table.has(key)) {
-      table.report(key, fmt::format("friction.file and friction.{} are both given", key),
-                   "give the file of pull tests, or the friction itself");
-    }
-  }
+  for (const char* key : {"mu", "across_mu"})
+    table.refuse_both(key, "file", "give the file of pull tests, or the friction itself");
   const std::string file = table.required_text("file");
   SlidingRule rule;
   rule.slip_m = table.number("slip_m", above_zero).value_or(rule.slip_m);

@@ -128,8 +128,7 @@ MotionProcessing read_processing(const TomlTable& above) {
   processing.band_pass = read_band(table.table("band_pass"));
   processing.rotate_to_deg = table.number("rotate_to_deg", azimuth_rule);
   processing.rotate_to = table.choice<FaultAxis>("rotate_to", fault_axes);
-  if (table.has("rotate_to_deg") && table.has("rotate_to"))
-    table.report("rotate_to", "rotate_to and rotate_to_deg are both given", "leave one out");
+  table.refuse_both("rotate_to", "rotate_to_deg", "leave one out");
   processing.arias_percent = read_arias(table);
   processing.step_s = table.number("step_s", above_zero);
   return processing;

@@ -332,6 +332,12 @@ void TomlTable::report(std::string_view key, const InputError& error) const {
   }
 }
 
+void TomlTable::refuse_both(std::string_view key, std::string_view other,
+                            std::string suggestion) const {
+  if (has(key) && has(other))
+    report(key, name_of(key) + " and " + name_of(other) + " are both given", std::move(suggestion));
+}
+
 void TomlTable::report_missing(std::string_view key, std::string suggestion) const {
   if (exists()) report("", name_of(key) + " is missing", std::move(suggestion));
 }

@@ -134,6 +134,8 @@ class TomlTable {
   void report_idle(std::string_view key, std::string what) const {
     report(key, std::move(what), "it has no effect here: leave it out", ProblemKind::idle);
   }
+  /// Notes at `key` that it and another one are given, where they are.
+  void refuse_both(std::string_view key, std::string_view other, std::string suggestion) const;
   /// Notes problems reported without a place (validate(...)) at the value of `key`.
   void report(std::string_view key, const InputError& error) const;
   void report_missing(std::string_view key, std::string suggestion = "") const;
