@@ -1,22 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gmock/gmock.h>
 
-#include <nlohmann/json.hpp>
-
-#include "cli/child.hpp"
+#include "cli/json_of.hpp"
 #include "facts.hpp"
 
 namespace glissade::test {
 namespace {
 
-using Json = nlohmann::json;
+Json building_json(const std::vector<std::string>& options) {
+  return json_of({"building"}, options);
+}
 
-Json building_json(std::vector<std::string> options) {
-  options.insert(options.begin(), "building");
-  options.push_back("--json");
-  const Finished child = run_program(options);
-  EXPECT_EQ(child.status, 0) << child.err;
-  return Json::parse(child.out);
+void expect_building_refused(const std::vector<std::string>& options, const std::string& what) {
+  SCOPED_TRACE(what);
+  expect_refused(run_program(with({"building"}, options)), {what});
 }
 
 TEST(Building, of_walls_with_frames_amplifies_more_than_one_mass) {
@@ -105,9 +102,8 @@ TEST(Building, takes_the_tables_of_etabs_and_sap_2000_and_the_report_of_opensees
     EXPECT_NEAR(modes.at(1).at("participation"), -0.28, 1e-12);
     EXPECT_NEAR(modes.at(0).at("mass_share"), 0.91, 1e-12);
   }
-  const auto refused = [](std::vector<std::string> options, const std::string& what) {
-    options.insert(options.begin(), {"building", "--modes"});
-    expect_refused(run_program(options), {what});
+  const auto refused = [](const std::vector<std::string>& options, const std::string& what) {
+    expect_building_refused(with({"--modes"}, options), what);
   };
   refused({files[0]}, "--axis x or --axis y");
   refused({files[2], "--axis", "x"}, "--roof-shape");
@@ -139,7 +135,7 @@ TEST(Building, amplifies_a_given_spectrum) {
   EXPECT_TRUE(json.at("warnings").empty());
   const std::string late = folder.write("l.csv", "period_s,design_sa_g\n0.2,1.2\n0.4,1.0\n");
   EXPECT_FALSE(building_json({"--modes", modes, "--spectrum", late}).at("warnings").empty());
-  expect_refused(run_program({"building", "--modes", modes, "--spectrum", modes}), {"design_sa_g"});
+  expect_building_refused({"--modes", modes, "--spectrum", modes}, "design_sa_g");
 }
 
 TEST(Building, refuses_what_is_none_and_warns_of_missing_modes) {
@@ -147,12 +143,7 @@ TEST(Building, refuses_what_is_none_and_warns_of_missing_modes) {
   const auto modes = [&](const std::string& rows) {
     return folder.write("m.csv", "period_s,participation,mass_share\n" + rows);
   };
-  const auto refused = [](std::vector<std::string> options, const std::string& what) {
-    options.insert(options.begin(), "building");
-    const Finished child = run_program(options);
-    EXPECT_EQ(child.status, 2) << child.out;
-    EXPECT_THAT(child.err, testing::HasSubstr(what));
-  };
+  const auto refused = expect_building_refused;
   refused({}, "--alpha or --storeys");
   refused({"--period-s", "0.5", "--alpha", "nan"}, "--alpha");
   refused({"--period-s", "0.5", "--alpha", "2", "--sds-g", "nan"}, "--sds-g");

@@ -45,11 +45,7 @@ TEST_F(ChartRun, reports_free_sliding_and_tipping_as_results) {
 }
 
 TEST_F(ChartRun, is_made_again_from_its_results_file) {
-  const std::string again = folder_->path("again").string();
-  const Finished report = run_program({"report", (out() / "results.h5").string(), "--out", again});
-  ASSERT_EQ(report.status, 0) << report.err;
-  for (const char* name : {"/tables/chart.csv", "/figures/chart_contours.svg"})
-    EXPECT_EQ(read_file(again + name), read(name + 1)) << name;
+  expect_report_gives_again({"tables/chart.csv", "figures/chart_contours.svg"});
 }
 
 TEST_F(ChartRun, a_chart_axis_of_one_value_is_refused_and_leaves_nothing) {
@@ -63,8 +59,7 @@ TEST_F(ChartRun, a_chart_axis_of_one_value_is_refused_and_leaves_nothing) {
 }
 
 TEST_F(ChartRun, prints_its_grid_when_asked_for_the_plan) {
-  const Finished child = run_program({"run", study_, "--dry-run"});
-  EXPECT_EQ(child.status, 0) << child.err;
+  const Finished child = succeeding({"run", study_, "--dry-run"});
   // 2 periods x 3 slopes x 4 frictions, each under both signs of both components; of the flat roof
   // the signs do not differ.
   EXPECT_THAT(child.out, states("24 combinations", "4 orientations", "80 differ"));

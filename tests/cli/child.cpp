@@ -90,6 +90,12 @@ Finished run_program(std::vector<std::string> arguments) {
   return run_child(arguments);
 }
 
+Finished succeeding(const std::vector<std::string>& arguments) {
+  const Finished child = run_program(arguments);
+  EXPECT_EQ(child.status, 0) << child.err;
+  return child;
+}
+
 Finished run_shell(const std::string& line) {
   return run_child({"/bin/sh", "-c", line, GLISSADE_PROGRAM});
 }

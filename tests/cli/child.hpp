@@ -54,6 +54,8 @@ class Child {
 Finished run_child(const std::vector<std::string>& arguments);
 /// Runs glissade.
 Finished run_program(std::vector<std::string> arguments);
+/// The same; fails the test unless its exit status is 0.
+Finished succeeding(const std::vector<std::string>& arguments);
 /// Runs a line of sh; "$0" in it is glissade.
 Finished run_shell(const std::string& line);
 

@@ -53,12 +53,7 @@ TEST_F(BaseShear, is_an_analysis_by_itself) {
   for (const char* name : {"tables/base_shear.csv", "figures/base_shear.svg"})
     EXPECT_FALSE(read_file(out() / name).empty()) << name;
   EXPECT_FALSE(fs::exists(out() / "tables/clearances.csv"));
-  const fs::path again = folder_->path("again");
-  const Finished child =
-      run_program({"report", (out() / "results.h5").string(), "--out", again.string()});
-  ASSERT_EQ(child.status, 0) << child.err;
-  EXPECT_EQ(read_file(again / "tables/base_shear.csv"), read_file(out() / "tables/base_shear.csv"));
-  EXPECT_EQ(read_file(again / "report.html"), read_file(out() / "report.html"));
+  expect_report_gives_again({"tables/base_shear.csv", "report.html"});
 }
 
 TEST_F(Clearance, run_json_counts_the_histories_that_were_run) {
@@ -85,19 +80,13 @@ TEST_F(Clearance, run_json_and_terminal_state_the_orientation_that_counts) {
 }
 
 TEST_F(Clearance, report_makes_the_same_again) {
-  const fs::path again = folder_->path("report_again");
-  const Finished child =
-      run_program({"report", (out() / "results.h5").string(), "--out", again.string()});
-  ASSERT_EQ(child.status, 0) << child.err;
-  for (const char* name : {"report.html", "tables/clearances.csv", "tables/histories.csv",
-                           "figures/period.svg", "figures/spectra.pdf"})
-    EXPECT_TRUE(read_file(again / name) == read_file(out() / name)) << name;
+  expect_report_gives_again({"report.html", "tables/clearances.csv", "tables/histories.csv",
+                             "figures/period.svg", "figures/spectra.pdf"});
 }
 
 TEST_F(Clearance, a_dry_run_reports_the_plan_and_writes_nothing) {
   const std::string out = folder_->path("dry").string();
-  const Finished child = run_program({"run", study_, "--out", out, "--dry-run"});
-  EXPECT_EQ(child.status, 0) << child.err;
+  const Finished child = succeeding({"run", study_, "--out", out, "--dry-run"});
   EXPECT_THAT(child.out, states("small clearance", "synthetic_level2", "3 motions",
                                 "16 orientations", "8 differ", "24 histories"));
   EXPECT_FALSE(fs::exists(out));

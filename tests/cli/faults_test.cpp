@@ -255,9 +255,8 @@ TEST_F(FaultWalk, a_run_to_which_any_call_fails_is_whole_or_reports_it_and_state
 /// The studies are finished, and what is made of them is not.
 TEST_F(FaultWalk, a_calculation_package_to_which_any_call_fails_is_whole_or_reports_it) {
   const WithoutWeasyprint path;
-  const Finished made = run_program(
+  succeeding(
       {"clearance", folder_->write("project.toml", moved_project()), "--out", again_.string()});
-  ASSERT_EQ(made.status, 0) << made.err;
   const fs::path kept = folder_->path("kept");
   fs::rename(again_, kept);
   folder_->write("kept/run.json",
@@ -327,8 +326,7 @@ TEST_F(Faults,
   EXPECT_THAT(failed.err, HasSubstr("is complete"));
   EXPECT_THAT(read_file(again_ / "run.json"), HasSubstr("\"started\""));
   EXPECT_EQ(run_program({"report", "--overwrite", (again_ / "results.h5").string()}).status, 0);
-  const Finished resumed = run_program({"run", "--resume", again_.string()});
-  EXPECT_EQ(resumed.status, 0) << resumed.err;
+  succeeding({"run", "--resume", again_.string()});
   EXPECT_THAT(read_file(again_ / "run.json"), HasSubstr("\"finished\""));
   EXPECT_TRUE(read_file(again_ / "results.h5") == read_file(out() / "results.h5"));
   EXPECT_FALSE(fs::exists(again_ / "journal"));
@@ -354,8 +352,7 @@ TEST_F(Faults, memory_that_ends_after_the_histories_leaves_a_run_that_can_be_res
   } else {
     EXPECT_NE(json.at("status"), "finished");
   }
-  const Finished resumed = run_program({"run", "--resume", again_.string()});
-  EXPECT_EQ(resumed.status, 0) << resumed.err;
+  succeeding({"run", "--resume", again_.string()});
   EXPECT_TRUE(read_file(again_ / "results.h5") == read_file(whole / "results.h5"));
 }
 

@@ -2,26 +2,16 @@
 #include <gmock/gmock.h>
 
 #include <cmath>
-#include <nlohmann/json.hpp>
 #include <numbers>
 
-#include "cli/child.hpp"
+#include "cli/json_of.hpp"
 
 namespace glissade::test {
 namespace {
 
-using Json = nlohmann::json;
-
 class Fit : public testing::Test {
  protected:
-  Json fit_json(std::vector<std::string> options) const {
-    options.insert(options.begin(), "fit");
-    options.push_back("--json");
-    const Finished child = run_program(options);
-    EXPECT_EQ(child.status, 0) << child.err;
-    EXPECT_EQ(child.err, "");
-    return Json::parse(child.out);
-  }
+  Json fit_json(const std::vector<std::string>& options) const { return json_of({"fit"}, options); }
   ScratchFolder folder_;
 };
 
@@ -104,8 +94,7 @@ TEST_F(Fit, many_rows_are_announced_and_fitted) {
     counts += std::to_string(x) + ",1," + (exceeds ? "1" : "0") + "\n";
   }
   const Finished child =
-      run_program({"fit", "--json", "--counts", folder_.write("counts.csv", counts)});
-  ASSERT_EQ(child.status, 0) << child.err;
+      succeeding({"fit", "--json", "--counts", folder_.write("counts.csv", counts)});
   EXPECT_THAT(child.err, testing::HasSubstr("fitting 30000 rows"));
   EXPECT_NEAR(Json::parse(child.out).at("median").get<double>(), 1.5, 0.02);
 }

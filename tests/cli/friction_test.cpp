@@ -1,16 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gmock/gmock.h>
 
-#include <nlohmann/json.hpp>
-
-#include "cli/child.hpp"
+#include "cli/json_of.hpp"
 #include "cli/small_study.hpp"
 #include "facts.hpp"
 
 namespace glissade::test {
 namespace {
 
-using Json = nlohmann::json;
 namespace fs = std::filesystem;
 
 const std::string example = GLISSADE_SOURCE_DIR "/studies/data/pull_tests.csv";
@@ -31,13 +28,8 @@ std::string two_pulls() {
 
 class Friction : public testing::Test {
  protected:
-  Json friction_json(std::vector<std::string> options) const {
-    options.insert(options.begin(), "friction");
-    options.push_back("--json");
-    const Finished child = run_program(options);
-    EXPECT_EQ(child.status, 0) << child.err;
-    EXPECT_EQ(child.err, "");
-    return Json::parse(child.out);
+  Json friction_json(const std::vector<std::string>& options) const {
+    return json_of({"friction"}, options);
   }
   std::string two_pulls_file() const { return folder_.write("two.csv", two_pulls()); }
   ScratchFolder folder_;
@@ -99,8 +91,7 @@ TEST_F(Friction, notes_what_pull_tests_are_asked_for_and_these_do_not_have) {
 }
 
 TEST_F(Friction, text_shows_the_tables_and_the_doubts) {
-  const Finished child = run_program({"friction", example});
-  EXPECT_EQ(child.status, 0) << child.err;
+  const Finished child = succeeding({"friction", example});
   EXPECT_THAT(child.out, states("A1", "across", "95 %"));
 }
 
@@ -162,8 +153,7 @@ TEST_F(Friction, of_tests_is_what_a_study_runs_with_and_says_so) {
   const std::string text = replaced(small_study(), "mu = { mean = 0.3, std = 0.03 }\n",
                                     "file = \"two.csv\"\ndirection = \"along\"\n");
   two_pulls_file();
-  const Finished child = run_program({"run", folder_.write("study.toml", text), "--dry-run"});
-  EXPECT_EQ(child.status, 0) << child.err;
+  const Finished child = succeeding({"run", folder_.write("study.toml", text), "--dry-run"});
   // Two combinations: as drawn, and mean - 2 std.
   EXPECT_THAT(child.out, states("mean 0.55, std 0.07071", "2 combinations", "2 pull tests"));
 }
@@ -172,9 +162,7 @@ TEST_F(Friction, of_the_example_serves_a_study_beside_it) {
   const std::string text = replaced(small_study(), "mu = { mean = 0.3, std = 0.03 }\n",
                                     "file = \"" + example + "\"\ndirection = \"across\"\n");
   const fs::path out = folder_.path("out");
-  const Finished child =
-      run_program({"run", folder_.write("study.toml", text), "--out", out.string()});
-  EXPECT_EQ(child.status, 0) << child.err;
+  succeeding({"run", folder_.write("study.toml", text), "--out", out.string()});
   EXPECT_THAT(read_file(out / "report.html"), states("6 pull tests"));
 }
 
@@ -190,8 +178,7 @@ TEST_F(Friction, of_a_sheet_of_values_is_evaluated_and_serves_a_study) {
   EXPECT_TRUE(fs::exists(out / "tables/friction.csv"));
   const std::string text =
       replaced(small_study(), "mu = { mean = 0.3, std = 0.03 }\n", "file = \"sheet.csv\"\n");
-  const Finished child = run_program({"check", folder_.write("study.toml", text)});
-  EXPECT_EQ(child.status, 0) << child.err;
+  const Finished child = succeeding({"check", folder_.write("study.toml", text)});
   EXPECT_THAT(child.out, states("mean 0.54, std 0.04"));
 }
 

@@ -17,8 +17,7 @@ const std::string suite = GLISSADE_SOURCE_DIR "/suites/synthetic_level2.toml";
 /// What `glissade init FILE` writes with these options, and ends well.
 std::string written(const ScratchFolder& folder, std::vector<std::string> options) {
   options.insert(options.begin(), {"init", folder.path("my.toml").string(), "--suite", suite});
-  const Finished child = run_program(options);
-  EXPECT_EQ(child.status, 0) << child.err;
+  succeeding(options);
   EXPECT_THAT(folder.contents(), testing::Contains("my.toml"));
   return read_file(folder.path("my.toml"));
 }
@@ -72,9 +71,8 @@ TEST(Init, a_project_runs_as_it_is) {
                                             "--mu-std", "0.03", "--slope", "0.25:12"});
   EXPECT_THAT(text, states("\nmu = { mean = 0.5"));
   EXPECT_THAT(text, Not(states("\nsimilar_array_m")));
-  const Finished child = run_program(
+  succeeding(
       {"clearance", folder.path("my.toml").string(), "--out", folder.path("results").string()});
-  EXPECT_EQ(child.status, 0) << child.err;
 }
 
 TEST(Init, a_project_may_have_slopes_and_the_height_of_its_building) {
@@ -134,8 +132,7 @@ TEST(Init, lists_every_key_that_still_has_the_value_of_the_example) {
     std::vector<std::string> options = {"init", out,           "--suite",    suite,    "--kind",
                                         kind,   "--overwrite", "--period-s", "0.3,0.6"};
     options.insert(options.end(), mine.begin(), mine.end());
-    const Finished child = run_program(options);
-    EXPECT_EQ(child.status, 0) << child.err;
+    const Finished child = succeeding(options);
     std::set<std::string> all = keys_in(read_file(out));
     for (const char* given :
          {"study.name", "study.units", "project.name", "project.units", "suite.file",

@@ -26,6 +26,13 @@ class OneRun : public testing::Test {
     folder_ = nullptr;
   }
   static std::filesystem::path out() { return folder_->path("out"); }
+  /// `report`, in a folder of its own, gives these files again.
+  static void expect_report_gives_again(const std::vector<std::string>& names) {
+    const std::filesystem::path again = folder_->path("report_again");
+    succeeding({"report", (out() / "results.h5").string(), "--out", again.string()});
+    for (const std::string& name : names)
+      EXPECT_TRUE(read_file(again / name) == read_file(out() / name)) << name;
+  }
 
   static inline ScratchFolder* folder_ = nullptr;
   static inline std::string study_;

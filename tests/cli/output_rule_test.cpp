@@ -23,8 +23,7 @@ void expect_rule(const std::vector<std::string>& command, const std::string& opt
   EXPECT_EQ(read_file(out), old);
   std::vector<std::string> over = command;
   over.push_back("--overwrite");
-  const Finished child = run_program(over);
-  EXPECT_EQ(child.status, 0) << child.err;
+  succeeding(over);
   EXPECT_NE(read_file(out), old);
 }
 
@@ -117,8 +116,7 @@ TEST_F(OutputRuleOfAFolder, a_report_is_made_again_in_its_folder_with_overwrite_
   expect_refused(run_program({"report", results}), {"--out", out().string(), "--overwrite"});
   EXPECT_TRUE(fs::exists(out() / "tables/of_another_study.csv"));
 
-  const Finished child = run_program({"report", results, "--overwrite"});
-  ASSERT_EQ(child.status, 0) << child.err;
+  succeeding({"report", results, "--overwrite"});
   EXPECT_EQ(read_file(out() / "report.html"), page);
   EXPECT_EQ(read_file(out() / "run.json"), run_json);
   EXPECT_EQ(read_file(out() / "report_files.txt"), list);
@@ -140,8 +138,7 @@ TEST_F(OutputRuleOfAFolder, files_of_the_user_stay_whatever_takes_the_place_of_a
         {"run", study_, "--out", out().string()}}) {
     std::vector<std::string> over = command;
     over.emplace_back("--overwrite");
-    const Finished child = run_program(over);
-    ASSERT_EQ(child.status, 0) << child.err;
+    succeeding(over);
     for (const std::string& name : mine) EXPECT_EQ(read_file(out() / name), "mine") << name;
     EXPECT_EQ(read_file(folder_->path("mine.csv")), "mine");
   }
@@ -240,8 +237,7 @@ TEST_F(OutputRuleOfAFolder, a_run_takes_the_place_of_another_with_overwrite_only
   expect_refused(run_program({"run", study, "--out", out().string()}),
                  {"--out", out().string(), "--overwrite"});
   EXPECT_TRUE(read_file(out() / "results.h5") == old);
-  const Finished child = run_program({"run", study, "--out", out().string(), "--overwrite"});
-  ASSERT_EQ(child.status, 0) << child.err;
+  succeeding({"run", study, "--out", out().string(), "--overwrite"});
   EXPECT_FALSE(read_file(out() / "results.h5") == old);
 }
 

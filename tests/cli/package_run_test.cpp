@@ -26,8 +26,7 @@ TEST_F(Package, a_stopped_calculation_goes_on_to_the_same_package) {
   const std::string command = "clearance --resume " + other.string();
   EXPECT_THAT(stopped.err, states(command));
   expect_refused(run_program({"clearance", project_file, "--out", other.string()}), {command});
-  const Finished resumed = run_program({"clearance", "--resume", other.string()});
-  ASSERT_EQ(resumed.status, 0) << resumed.err;
+  succeeding({"clearance", "--resume", other.string()});
   EXPECT_EQ(read_file(other / "package.json"), read_file(out() / "package.json"));
   EXPECT_EQ(run_program({"clearance", "--resume", other.string()}).status, 0);  // is finished
 }
@@ -70,8 +69,7 @@ TEST_F(Package, is_made_of_finished_studies_of_its_own_project_only) {
   fs::copy(out(), other, fs::copy_options::recursive);
   const std::vector<std::string> resume = {"clearance", "--resume", other.string()};
   fs::remove(other / "package.html");
-  const Finished child = run_program(resume);
-  ASSERT_EQ(child.status, 0) << child.err;
+  succeeding(resume);
   EXPECT_EQ(read_file(other / "package.json"), read_file(out() / "package.json"));
   EXPECT_EQ(read_file(other / "package.html"), read_file(out() / "package.html"));
   fs::remove(other / "package.html");
@@ -121,9 +119,7 @@ TEST_F(Package, is_not_made_of_studies_of_other_motions) {
                     out = folder_->path("own").string();
   folder_->write("own.toml", text);
   const WithoutWeasyprint path;
-  const Finished child =
-      run_program({"clearance", folder_->write("project.toml", project), "--out", out});
-  ASSERT_EQ(child.status, 0) << child.err;
+  succeeding({"clearance", folder_->write("project.toml", project), "--out", out});
   fs::remove(fs::path(out) / "package.html");
   folder_->write("own.toml", replaced(text, "description = \"", "description = \"Changed. "));
   expect_refused(run_program({"clearance", "--resume", out}),
@@ -132,8 +128,7 @@ TEST_F(Package, is_not_made_of_studies_of_other_motions) {
 
 TEST_F(Package, check_of_a_project_says_what_would_run_and_writes_nothing) {
   const fs::path other = folder_->path("checked");
-  const Finished child = run_program({"check", project_file, "--out", other.string()});
-  ASSERT_EQ(child.status, 0) << child.err;
+  const Finished child = succeeding({"check", project_file, "--out", other.string()});
   EXPECT_THAT(child.out, states("demand", "probability", "clearance"));
   EXPECT_FALSE(fs::exists(other));
   const Finished taken = run_program({"check", project_file, "--out", out().string()});

@@ -347,8 +347,7 @@ TEST_F(Package, of_a_soft_roof_and_a_weak_array_is_not_applicable) {
   const fs::path other = folder_->path("soft");
   const WithoutWeasyprint path;
   const Finished child =
-      run_program({"clearance", folder_->write("soft.toml", text), "--out", other.string()});
-  ASSERT_EQ(child.status, 0) << child.err;
+      succeeding({"clearance", folder_->write("soft.toml", text), "--out", other.string()});
   EXPECT_THAT(one_line(child.out),
               states("NOT APPLICABLE", "peak acceleration of the roof", "7-22"));
   EXPECT_THAT(read_file(other / "package.html"), states("NOT APPLICABLE", "NOT MET"));
@@ -398,8 +397,7 @@ TEST_F(Package, of_a_hazard_curve_has_annual_rates_and_the_displacement_that_add
       "\n[[gap]]\nname = \"duct\"\nkind = \"obstruction\"\navailable_m = \"9 ft\"\n";
   const WithoutWeasyprint path;
   const Finished child =
-      run_program({"clearance", folder_->write("hazard.toml", text), "--out", other.string()});
-  ASSERT_EQ(child.status, 0) << child.err;
+      succeeding({"clearance", folder_->write("hazard.toml", text), "--out", other.string()});
   EXPECT_THAT(child.out, states("50 years"));
   EXPECT_THAT(read_file(other / "package.html"), states("25 years"));
   const auto json = nlohmann::json::parse(read_file(other / "package.json"));
@@ -434,8 +432,7 @@ TEST_F(Package, a_page_holds_text_as_text_and_few_tests_and_a_peer_review_are_wa
   const fs::path other = folder_->path("other");
   const WithoutWeasyprint path;
   const Finished child =
-      run_program({"clearance", folder_->write("script.toml", text), "--out", other.string()});
-  ASSERT_EQ(child.status, 0) << child.err;
+      succeeding({"clearance", folder_->write("script.toml", text), "--out", other.string()});
   EXPECT_THAT(read_file(other / "package.html"), Not(testing::HasSubstr("<script")));
   const auto json = nlohmann::json::parse(read_file(other / "package.json"));
   EXPECT_FALSE(checks_in(json).at(support));
@@ -499,8 +496,7 @@ TEST_F(Package, without_weasyprint_says_that_the_page_is_to_be_printed) {
   fs::copy(out(), other, fs::copy_options::recursive);
   fs::remove(other / "package.html");
   const WithoutWeasyprint path;
-  const Finished child = run_program({"clearance", "--resume", other.string()});
-  ASSERT_EQ(child.status, 0) << child.err;
+  const Finished child = succeeding({"clearance", "--resume", other.string()});
   EXPECT_THAT(child.out, states("package.html", "print it from a browser"));
   EXPECT_FALSE(fs::exists(other / "package.pdf"));
   EXPECT_EQ(read_file(other / "package.html"), read_file(out() / "package.html"));

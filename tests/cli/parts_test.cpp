@@ -25,8 +25,7 @@ class Parts : public OneRun<longer_study> {
     return {"run", study, "--out", folder(part), "--part", std::to_string(part) + "/3"};
   }
   static void run_part(int part, const std::string& study = study_) {
-    const Finished child = run_program(part_command(part, study));
-    ASSERT_EQ(child.status, 0) << child.err;
+    const Finished child = succeeding(part_command(part, study));
     EXPECT_THAT(child.out, states("glissade merge"));
     EXPECT_FALSE(fs::exists(folder(part) + "/results.h5"));
   }
@@ -68,8 +67,7 @@ TEST_F(Parts, a_part_that_was_killed_goes_on_and_the_merged_run_has_the_bits_of_
   expect_refused(merge({1, 2, 3}),
                  {folder(2), "is not finished", "glissade run --resume " + folder(2)});
   EXPECT_FALSE(fs::exists(merged_));
-  const Finished resumed = run_program({"run", "--resume", folder(2)});
-  ASSERT_EQ(resumed.status, 0) << resumed.err;
+  const Finished resumed = succeeding({"run", "--resume", folder(2)});
   EXPECT_THAT(resumed.out, states("2 of 3"));
 
   expect_merged(merge({3, 1, 2}));

@@ -176,20 +176,17 @@ TEST_F(ProductSheet, adds_up_the_earthquakes_that_are_smaller_than_the_event) {
 }
 
 TEST_F(ProductSheet, goes_on_where_it_was_stopped_and_knows_that_it_is_whole) {
-  const Finished again = run_program({"clearance", "--resume", out().string()});
-  EXPECT_EQ(again.status, 0) << again.err;
+  const Finished again = succeeding({"clearance", "--resume", out().string()});
   EXPECT_THAT(again.out, HasSubstr("is finished"));
   const std::string sheet = read_file(out() / "product.html");
   fs::remove(out() / "product.html");
   fs::remove_all(out() / "target_2");
-  const Finished rest = run_program({"clearance", "--resume", out().string()});
-  EXPECT_EQ(rest.status, 0) << rest.err;
+  succeeding({"clearance", "--resume", out().string()});
   EXPECT_EQ(read_file(out() / "product.html"), sheet);
 }
 
 TEST_F(ProductSheet, check_says_what_would_run) {
-  const Finished child = run_program({"check", folder_->path("product.toml").string()});
-  EXPECT_EQ(child.status, 0) << child.err;
+  const Finished child = succeeding({"check", folder_->path("product.toml").string()});
   EXPECT_THAT(child.out, states("target_1", "target_2", "racking", "glissade clearance"));
 }
 

@@ -157,8 +157,7 @@ TEST_F(Resume, an_overwritten_run_begins_anew) {
 }
 
 TEST_F(Resume, a_finished_run_is_left_as_it_is) {
-  const Finished child = run_program({"run", "--resume", out().string()});
-  EXPECT_EQ(child.status, 0) << child.err;
+  const Finished child = succeeding({"run", "--resume", out().string()});
   EXPECT_THAT(child.out, states("finished"));
 }
 
@@ -302,8 +301,7 @@ TEST(ResumeOfASuite, what_the_results_say_of_a_record_and_changes_is_named) {
     expect_refused(run_program({"run", "--resume", out}), {"suite.toml", named, "restore"});
   }
   folder.write("suite.toml", described);
-  const Finished resumed = run_program({"run", "--resume", out});
-  EXPECT_EQ(resumed.status, 0) << resumed.err;
+  succeeding({"run", "--resume", out});
 }
 
 TEST_F(Resume, a_finished_run_is_of_its_study_only) {

@@ -73,8 +73,7 @@ TEST_F(RoofPackage, is_that_of_an_array_on_the_motions_themselves) {
   write_suite();
   const fs::path out = folder_.path("out");
   const Finished finished =
-      run_program({"clearance", project("[building]\nstoreys = 3\n"), "--out", out.string()});
-  ASSERT_EQ(finished.status, 0) << finished.err;
+      succeeding({"clearance", project("[building]\nstoreys = 3\n"), "--out", out.string()});
   double largest_m = 0.0;
   for (const bool with_vertical : {false, true})
     for (const bool swapped : {false, true})
@@ -115,8 +114,7 @@ TEST_F(RoofPackage, is_that_of_an_array_on_the_motions_themselves) {
 
 TEST_F(RoofPackage, says_that_weak_motions_are_below_half_of_the_standards) {
   write_suite();
-  const Finished checked = run_program({"check", project("", "roofs.toml", "factor = 0.2\n")});
-  EXPECT_EQ(checked.status, 0) << checked.err;
+  const Finished checked = succeeding({"check", project("", "roofs.toml", "factor = 0.2\n")});
   EXPECT_THAT(checked.out, states("none is computed", "factor 0.2"));
   const fs::path out = folder_.path("out");
   const Finished finished = run_program(
@@ -126,8 +124,7 @@ TEST_F(RoofPackage, says_that_weak_motions_are_below_half_of_the_standards) {
 
 TEST_F(RoofPackage, suite_commands_and_studies_say_that_the_motions_are_of_a_roof) {
   const std::string suite = write_suite();
-  const Finished shown = run_program({"suite", "show", suite});
-  EXPECT_EQ(shown.status, 0) << shown.err;
+  const Finished shown = succeeding({"suite", "show", suite});
   EXPECT_THAT(shown.out, states("Peak roof acceleration"));
   expect_refused(run_program({"suite", "select", suite, "--level", "2"}),
                  {"has motions of a roof", "spectrum of the ground"});
@@ -139,8 +136,7 @@ TEST_F(RoofPackage, suite_commands_and_studies_say_that_the_motions_are_of_a_roo
                     "[vertical]\nuse = [\"none\", \"if_available\"]\n"
                     "[orientation]\nchoice = \"all_permutations\"\n[clearance]\n");
   const fs::path out = folder_.path("study");
-  const Finished run = run_program({"run", study, "--out", out.string()});
-  EXPECT_EQ(run.status, 0) << run.err;
+  const Finished run = succeeding({"run", study, "--out", out.string()});
   for (const std::string& text :
        {shown.out, run.out, read_file(out / "report.html"), read_file(out / "tables/records.csv"),
         read_file(out / "tables/clearances.csv")})

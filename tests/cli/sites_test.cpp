@@ -138,8 +138,7 @@ TEST_F(Sites, go_on_where_they_were_stopped) {
   const std::string page = read_file(out() / "sites.html");
   fs::remove(out() / "sites.html");
   fs::remove_all(out() / "site_2/probability");
-  const Finished child = run_program({"clearance", "--resume", out().string()});
-  EXPECT_EQ(child.status, 0) << child.err;
+  succeeding({"clearance", "--resume", out().string()});
   EXPECT_EQ(read_file(out() / "sites.html"), page);
   EXPECT_THAT(run_program({"clearance", "--resume", out().string()}).out,
               testing::HasSubstr("is finished"));
@@ -161,8 +160,7 @@ TEST_F(Sites, that_are_wrong_are_named_with_their_line_before_anything_runs) {
 }
 
 TEST_F(Sites, check_states_what_each_would_run) {
-  const Finished child = run_program({"check", folder_->path("campus.toml").string()});
-  EXPECT_EQ(child.status, 0) << child.err;
+  const Finished child = succeeding({"check", folder_->path("campus.toml").string()});
   EXPECT_THAT(child.out, states("campus: Roof A", "campus: Roof B", "S_DS 0.800 g"));
 }
 

@@ -7,9 +7,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <nlohmann/json.hpp>
 
-#include "cli/child.hpp"
+#include "cli/json_of.hpp"
 #include "cli/shaking.hpp"
 #include "facts.hpp"
 #include "glissade/block/coupled.hpp"
@@ -21,20 +20,14 @@
 namespace glissade::test {
 namespace {
 
-using Json = nlohmann::json;
-
 class SlideModel : public testing::Test {
  protected:
-  Json slide_json(std::vector<std::string> options) const {
-    options.insert(options.begin(), {"slide", first_, "--json"});
-    const Finished child = run_program(options);
-    EXPECT_EQ(child.status, 0) << child.err;
-    return Json::parse(child.out);
+  Json slide_json(const std::vector<std::string>& options) const {
+    return json_of({"slide", first_}, options);
   }
   /// `mu` and slope are given already.
-  Finished run(std::vector<std::string> options) const {
-    options.insert(options.begin(), {"slide", first_, "--mu", "0.2", "--slope-deg", "2"});
-    return run_program(options);
+  Finished run(const std::vector<std::string>& options) const {
+    return run_program(with({"slide", first_, "--mu", "0.2", "--slope-deg", "2"}, options));
   }
 
   ScratchFolder folder_;
@@ -124,9 +117,8 @@ TEST_F(SlideModel, a_motion_of_a_suite_has_all_its_components_and_its_factor) {
                                           "[[record]]\nid = \"bolu\"\nscale = 0.5\n"
                                           "first = \"roof.csv#U1\"\nsecond = \"roof.csv#U2\"\n"
                                           "vertical = \"roof.csv#U3\"\n");
-  const auto slide = [&](const std::string& record, std::vector<std::string> more) {
-    more.insert(more.begin(), {"slide", record, "--mu", "0.2", "--slope-deg", "2"});
-    return run_program(more);
+  const auto slide = [&](const std::string& record, const std::vector<std::string>& more) {
+    return run_program(with({"slide", record, "--mu", "0.2", "--slope-deg", "2"}, more));
   };
   const std::string csv = folder_.path("roof.csv").string(), file = folder_.path("h.csv").string();
   const Finished of_suite = slide(suite + "#bolu", {"--scale", "3", "--json", "--history", file}),
@@ -212,9 +204,8 @@ TEST_F(SlideModel, a_very_light_array_slides_as_one_without_mass) {
 TEST_F(SlideModel, a_constant_push_passes_a_clearance_with_the_speed_of_its_closed_form) {
   // 0.5 g for 1 s on mu = 0.2: v' = 0.3 g, so s = 0.15 g t^2 and v = 0.3 g t.
   const std::string push = folder_.write("push.txt", two_columns(std::vector<double>(51, 0.5)));
-  const Finished child = run_program(
-      {"slide", push, "--json", "--mu", "0.2", "--slope-deg", "0", "--clearance-m", "0.5"});
-  const Json json = Json::parse(child.out);
+  const Json json =
+      json_of({"slide", push, "--mu", "0.2", "--slope-deg", "0", "--clearance-m", "0.5"});
   const double t = std::sqrt(0.5 / (0.15 * standard_gravity_mps2));
   EXPECT_NEAR(json["crossing_time_s"].get<double>(), t, 1e-8);
   EXPECT_NEAR(json["crossing_speed_mps"].get<double>(), 0.3 * standard_gravity_mps2 * t, 1e-8);
@@ -225,9 +216,8 @@ TEST_F(SlideModel, a_constant_push_passes_a_clearance_with_the_speed_of_its_clos
 TEST_F(SlideModel, friction_that_is_stronger_at_rest_holds_a_push_below_it) {
   const std::string push = folder_.write("push.txt", two_columns(std::vector<double>(51, 0.23)));
   const auto peak = [&](const char* ratio) {
-    return Json::parse(run_program({"slide", push, "--json", "--mu", "0.2", "--slope-deg", "0",
-                                    "--static-over-sliding", ratio})
-                           .out)["peak_displacement_m"]
+    return json_of({"slide", push, "--mu", "0.2", "--slope-deg", "0", "--static-over-sliding",
+                    ratio})["peak_displacement_m"]
         .get<double>();
   };
   EXPECT_GT(peak("1.1"), 0.01);  // 0.22 g

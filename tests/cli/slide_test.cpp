@@ -5,32 +5,23 @@
 
 #include <cmath>
 #include <cstdio>
-#include <nlohmann/json.hpp>
 #include <numbers>
 
-#include "cli/child.hpp"
+#include "cli/json_of.hpp"
 #include "cli/shaking.hpp"
 #include "facts.hpp"
 
 namespace glissade::test {
 namespace {
 
-using Json = nlohmann::json;
 constexpr double g = standard_gravity_mps2;
 constexpr double dt_s = shaking_dt_s;
 
 class Slide : public testing::Test {
  protected:
-  /// The JSON of `slide FILE options --json`; fails the test if that is not all of standard output.
-  Json slide_json(const std::string& file, std::vector<std::string> options) const {
-    options.insert(options.begin(), {"slide", file});
-    options.push_back("--json");
-    const Finished child = run_program(options);
-    EXPECT_EQ(child.status, 0) << child.err;
-    EXPECT_EQ(child.err, "");
-    return Json::parse(child.out);  // throws on anything beside one object
+  Json slide_json(const std::string& file, const std::vector<std::string>& options) const {
+    return json_of({"slide", file}, options);
   }
-
   ScratchFolder folder_;
   std::string record_ = folder_.write("shaking.txt", two_columns(shaking_g()));
 };
@@ -221,9 +212,8 @@ TEST_F(Slide, one_column_in_other_units_takes_dt_s_and_units) {
 
 TEST_F(Slide, text_fits_a_terminal) {
   for (const char* scale : {"1", "9"}) {
-    const Finished child = run_program({"slide", record_, "--mu", "0.2", "--slope-deg", "15",
-                                        "--scale", scale, "--period-s", "0.5"});
-    ASSERT_EQ(child.status, 0) << child.err;
+    const Finished child = succeeding({"slide", record_, "--mu", "0.2", "--slope-deg", "15",
+                                       "--scale", scale, "--period-s", "0.5"});
     EXPECT_THAT(child.out, states("FREE SLIDING"));
     for (const std::string& line : lines_of(child.out)) EXPECT_LE(line.size(), 80u) << line;
   }

@@ -1,22 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gmock/gmock.h>
 
-#include <nlohmann/json.hpp>
-
-#include "cli/child.hpp"
+#include "cli/json_of.hpp"
 #include "facts.hpp"
 
 namespace glissade::test {
 namespace {
 
-using Json = nlohmann::json;
-
-Json standards_json(std::vector<std::string> options) {
-  options.insert(options.begin(), "standards");
-  options.push_back("--json");
-  const Finished child = run_program(options);
-  EXPECT_EQ(child.status, 0) << child.err;
-  return Json::parse(child.out);
+Json standards_json(const std::vector<std::string>& options) {
+  return json_of({"standards"}, options);
 }
 
 TEST(Standards, rodriguez_nikls_example_is_2_07_m) {

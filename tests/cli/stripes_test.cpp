@@ -16,8 +16,7 @@ class Stripes : public testing::Test {
 
 TEST_F(Stripes, are_run_reported_and_reported_again_from_their_results) {
   const std::string out = folder_.path("out").string(), again = folder_.path("again").string();
-  const Finished child = run_program({"run", study(stripes_study()), "--out", out});
-  ASSERT_EQ(child.status, 0) << child.err;
+  const Finished child = succeeding({"run", study(stripes_study()), "--out", out});
   EXPECT_THAT(child.out, states("14 records x 8 samples x 1 of 2 levels", "scatter less",
                                 "suite.stripes", "0 in search of"));
   const std::string fits = read_file(out + "/tables/fragility.csv");
@@ -27,8 +26,7 @@ TEST_F(Stripes, are_run_reported_and_reported_again_from_their_results) {
   EXPECT_FALSE(std::filesystem::exists(out + "/figures/ida.svg"));
   EXPECT_FALSE(std::filesystem::exists(out + "/tables/recrossing.csv"));
   EXPECT_THAT(read_file(out + "/report.html"), states("Each level has records of its own"));
-  const Finished report = run_program({"report", out + "/results.h5", "--out", again});
-  ASSERT_EQ(report.status, 0) << report.err;
+  const Finished report = succeeding({"report", out + "/results.h5", "--out", again});
   for (const char* table : {"fragility", "fragility_band", "slip", "stripes", "samples"})
     EXPECT_EQ(read_file(again + "/tables/" + table + ".csv"),
               read_file(out + "/tables/" + table + ".csv"))
@@ -42,12 +40,10 @@ TEST_F(Stripes, in_parts_give_the_bits_of_the_whole) {
   std::vector<std::string> merge{"merge"};
   for (const char* part : {"1/2", "2/2"}) {
     merge.push_back(folder_.path(std::string("part") + part[0]).string());
-    const Finished child = run_program({"run", text, "--out", merge.back(), "--part", part});
-    ASSERT_EQ(child.status, 0) << child.err;
+    const Finished child = succeeding({"run", text, "--out", merge.back(), "--part", part});
   }
   merge.insert(merge.end(), {"--out", merged});
-  const Finished child = run_program(merge);
-  ASSERT_EQ(child.status, 0) << child.err;
+  succeeding(merge);
   EXPECT_TRUE(read_file(merged + "/results.h5") == read_file(whole + "/results.h5"));
 }
 

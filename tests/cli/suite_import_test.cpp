@@ -1,16 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gmock/gmock.h>
 
-#include <nlohmann/json.hpp>
-
-#include "cli/child.hpp"
+#include "cli/json_of.hpp"
 #include "cli/shaking.hpp"
 #include "facts.hpp"
 
 namespace glissade::test {
 namespace {
 
-using nlohmann::json;
 using testing::HasSubstr;
 
 /// A folder with a record of two horizontals, one of one, and a file that is none.
@@ -22,9 +19,8 @@ class SuiteImportCommand : public testing::Test {
     folder_.write("in/ONE-090.txt", two_columns(shaking_g(1.3)));
     folder_.write("in/notes.md", "Some notes.\n");
   }
-  Finished import(std::vector<std::string> arguments) const {
-    arguments.insert(arguments.begin(), {"suite", "import", folder_.path("in").string()});
-    return run_program(arguments);
+  Finished import(const std::vector<std::string>& arguments) const {
+    return run_program(with({"suite", "import", folder_.path("in").string()}, arguments));
   }
   ScratchFolder folder_;
 };
@@ -37,16 +33,13 @@ TEST_F(SuiteImportCommand, makes_a_suite_that_other_commands_read_and_lists_what
                                 "ONE-090.txt: one horizontal", "notes.md", "suite file"));
   EXPECT_THAT(read_file(out),
               states("name = \"mine\"", "file = \"in/PLC-000.txt\", azimuth_deg = 0, sha256 = \""));
-  const Finished show = run_program({"suite", "show", out});
-  EXPECT_EQ(show.status, 0) << show.err;
+  const Finished show = succeeding({"suite", "show", out});
   EXPECT_THAT(show.out, HasSubstr("PLC"));
   expect_refused(import({"--out", out}), {"mine.toml", "--out"});
 }
 
 TEST_F(SuiteImportCommand, json_has_each_component_and_each_reason) {
-  const Finished child = import({"--json", "--keep-single"});
-  EXPECT_EQ(child.status, 0) << child.err;
-  const json result = json::parse(child.out);
+  const Json result = json_of({"suite", "import", folder_.path("in").string()}, {"--keep-single"});
   ASSERT_EQ(result["records"].size(), 2u);
   EXPECT_EQ(result["records"][0]["id"], "ONE");
   EXPECT_FALSE(result["records"][0].contains("second"));
@@ -58,12 +51,10 @@ TEST_F(SuiteImportCommand, json_has_each_component_and_each_reason) {
 
 TEST_F(SuiteImportCommand, show_lists_the_components_of_a_folder_and_of_a_file) {
   const std::string csv = folder_.path("table.csv").string();
-  const Finished folder = run_program({"suite", "show", folder_.path("in").string(), "--out", csv});
-  EXPECT_EQ(folder.status, 0) << folder.err;
+  const Finished folder = succeeding({"suite", "show", folder_.path("in").string(), "--out", csv});
   EXPECT_THAT(folder.out, states("PLC-000.txt", "ONE-090.txt", "notes.md", "suite import"));
   EXPECT_THAT(read_file(csv), HasSubstr("file,component,format,unit,dt_s,samples,pga_g,processed"));
-  const Finished file = run_program({"suite", "show", folder_.path("in/PLC-090.txt").string()});
-  EXPECT_EQ(file.status, 0) << file.err;
+  const Finished file = succeeding({"suite", "show", folder_.path("in/PLC-090.txt").string()});
   EXPECT_THAT(file.out, states("PLC-090.txt", "090", "400"));
   expect_refused(run_program({"suite", "show", folder_.path("in/notes.md").string()}),
                  {"notes.md", "is not a number"});

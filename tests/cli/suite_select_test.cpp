@@ -3,15 +3,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <nlohmann/json.hpp>
 
-#include "cli/child.hpp"
+#include "cli/json_of.hpp"
 #include "facts.hpp"
 
 namespace glissade::test {
 namespace {
-
-using nlohmann::json;
 
 /// A library of chirps that sweep from 0.3 to 15 Hz, of different strength and metadata, in its
 /// folder "library".
@@ -39,9 +36,11 @@ class SuiteSelect : public testing::Test {
     }
     library_ = folder_.write("library/library.toml", text);
   }
-  Finished select(std::vector<std::string> arguments) const {
-    arguments.insert(arguments.begin(), {"suite", "select", library_});
-    return run_program(arguments);
+  Finished select(const std::vector<std::string>& arguments) const {
+    return run_program(with({"suite", "select", library_}, arguments));
+  }
+  Json select_json(const std::vector<std::string>& arguments) const {
+    return json_of({"suite", "select", library_}, arguments);
   }
   ScratchFolder folder_;
   std::string library_;
@@ -49,12 +48,6 @@ class SuiteSelect : public testing::Test {
 
 const std::vector<std::string> a_site = {"--edition", "asce7_10", "--ss-g",      "0.4",
                                          "--s1-g",    "0.15",     "--max-scale", "50"};
-
-std::vector<std::string> with(std::vector<std::string> arguments,
-                              const std::vector<std::string>& more) {
-  arguments.insert(arguments.end(), more.begin(), more.end());
-  return arguments;
-}
 
 TEST_F(SuiteSelect, prints_the_records_how_the_average_compares_and_who_is_left_out) {
   const Finished child = select(with(a_site, {"--count", "2"}));
@@ -65,33 +58,28 @@ TEST_F(SuiteSelect, prints_the_records_how_the_average_compares_and_who_is_left_
 }
 
 TEST_F(SuiteSelect, json_reports_the_same_and_respects_limits) {
-  const Finished child = select(
-      with(a_site, {"--count", "2", "--min-magnitude", "6.6", "--max-vs30-mps", "450", "--json"}));
-  EXPECT_EQ(child.status, 0) << child.err;
-  const json result = json::parse(child.out);
+  const Json result = select_json(
+      with(a_site, {"--count", "2", "--min-magnitude", "6.6", "--max-vs30-mps", "450"}));
   EXPECT_EQ(result["candidates"], 2);
   EXPECT_EQ(result["target"]["intensity_level"], 0);
   ASSERT_EQ(result["records"].size(), 2u);
-  for (const json& record : result["records"]) {
+  for (const Json& record : result["records"]) {
     EXPECT_GE(record["magnitude"], 6.6);
     EXPECT_LE(record["scale"], 50.0);
   }
   EXPECT_GE(result["average"]["lowest"]["ratio"], 1.0 - 1e-9);
   EXPECT_EQ(result["average"]["reaches_target"], true);
   ASSERT_EQ(result["left_out"].size(), 3u);
-  EXPECT_EQ(result["left_out"][0]["reasons"], json({"magnitude outside the limits"}));
-  EXPECT_EQ(result["left_out"][2]["reasons"], json({"no Vs30 given"}));
+  EXPECT_EQ(result["left_out"][0]["reasons"], Json({"magnitude outside the limits"}));
+  EXPECT_EQ(result["left_out"][2]["reasons"], Json({"no Vs30 given"}));
 }
 
 TEST_F(SuiteSelect, writes_a_suite_file_elsewhere_that_scales_to_the_same_factors) {
   const std::string out = folder_.path("deep/er/mine.toml").string();
   std::filesystem::create_directories(folder_.path("deep/er"));
-  const Finished child = select(with(a_site, {"--count", "3", "--out", out, "--json"}));
-  EXPECT_EQ(child.status, 0) << child.err;
-  const json records = json::parse(child.out)["records"];
+  const Json records = select_json(with(a_site, {"--count", "3", "--out", out}))["records"];
   EXPECT_THAT(run_program({"suite", "show", out}).out, states("nearest"));
-  const Finished scaled = run_program({"suite", "scale", out, "--max-factor", "50"});
-  EXPECT_EQ(scaled.status, 0) << scaled.err;
+  const Finished scaled = succeeding({"suite", "scale", out, "--max-factor", "50"});
   const std::vector<std::string> lines = lines_of(scaled.out);
   const auto header = std::find(lines.begin(), lines.end(), "id,scale");
   ASSERT_EQ(lines.end() - header, 4);
@@ -113,13 +101,12 @@ TEST_F(SuiteSelect, a_level_brings_its_limits_which_can_be_widened) {
   expect_refused(
       select({"--level", "2", "--site-class", "E", "--count", "1"}),
       {"candidates left: 0 of 5", "4 with Vs30 outside the limits", "1 with no Vs30 given"});
-  const Finished child = select({"--level", "2", "--site-class", "E", "--count", "1",
-                                 "--max-vs30-mps", "500", "--max-scale", "40", "--json"});
-  EXPECT_EQ(child.status, 0) << child.err;
-  EXPECT_EQ(json::parse(child.out)["target"]["site_classes"], json({"E"}));
-  const Finished kept =
-      select({"--level", "2", "--count", "1", "--keep-incomplete", "--max-scale", "40", "--json"});
-  EXPECT_EQ(json::parse(kept.out)["candidates"], 2);  // r2, and r4, which has no V_S30
+  const Json wider = select_json({"--level", "2", "--site-class", "E", "--count", "1",
+                                  "--max-vs30-mps", "500", "--max-scale", "40"});
+  EXPECT_EQ(wider["target"]["site_classes"], Json({"E"}));
+  const Json kept =
+      select_json({"--level", "2", "--count", "1", "--keep-incomplete", "--max-scale", "40"});
+  EXPECT_EQ(kept["candidates"], 2);  // r2, and r4, which has no V_S30
 }
 
 TEST_F(SuiteSelect, a_shortfall_is_reported_and_is_no_error) {
@@ -132,9 +119,9 @@ TEST_F(SuiteSelect, a_shortfall_is_reported_and_is_no_error) {
 }
 
 TEST_F(SuiteSelect, a_site_may_state_its_one_class) {
-  const Finished child = select(with(a_site, {"--site-class", "C", "--count", "2", "--json"}));
-  EXPECT_EQ(child.status, 0) << child.err;
-  EXPECT_EQ(json::parse(child.out)["target"]["site_classes"], json({"C"}));
+  EXPECT_EQ(
+      select_json(with(a_site, {"--site-class", "C", "--count", "2"}))["target"]["site_classes"],
+      Json({"C"}));
 }
 
 TEST_F(SuiteSelect, a_target_by_a_spectrum_is_that_of_a_project) {
@@ -148,8 +135,7 @@ TEST_F(SuiteSelect, a_target_by_a_spectrum_is_that_of_a_project) {
       select({"--site", project, "--count", "2", "--max-scale", "50", "--out", out});
   EXPECT_EQ(child.status, 0) << child.err;
   EXPECT_THAT(child.out, states("ASCE 7-22, spectrum of 5 points"));
-  const Finished shown = run_program({"suite", "show", out});
-  EXPECT_EQ(shown.status, 0) << shown.err;
+  const Finished shown = succeeding({"suite", "show", out});
   EXPECT_THAT(shown.out, states("ASCE 7-22, spectrum of 5 points"));
   expect_refused(select({"--site", project, "--level", "2"}), {"--site", "--level"});
   expect_refused(select({"--site", folder_.write("n.toml", "[a]\n")}), {"no [site]"});
@@ -181,12 +167,9 @@ TEST_F(SuiteSelect, mistakes_are_refused) {
 
 TEST_F(SuiteSelect, simulated_motions_are_written_as_a_recipe_of_the_selected) {
   const std::string out = folder_.path("out.toml").string();
-  const Finished child =
-      run_program({"suite", "select", GLISSADE_SOURCE_DIR "/suites/synthetic_level0.toml",
-                   "--level", "0", "--count", "3", "--out", out});
-  EXPECT_EQ(child.status, 0) << child.err;
-  const Finished shown = run_program({"suite", "show", out});
-  EXPECT_EQ(shown.status, 0) << shown.err;
+  succeeding({"suite", "select", GLISSADE_SOURCE_DIR "/suites/synthetic_level0.toml", "--level",
+              "0", "--count", "3", "--out", out});
+  const Finished shown = succeeding({"suite", "show", out});
   EXPECT_THAT(shown.out, states("nearest", "level0_2"));
 }
 
@@ -202,8 +185,7 @@ std::vector<std::string> row_at(const std::string& csv, const std::string& perio
 }
 
 TEST_F(SuiteSelect, target_prints_the_conditional_spectrum_as_csv) {
-  const Finished child = run_program(with({"suite", "target"}, an_earthquake));
-  EXPECT_EQ(child.status, 0) << child.err;
+  const Finished child = succeeding(with({"suite", "target"}, an_earthquake));
   EXPECT_THAT(child.out, states("Sa(0.5 s) = 0.8 g", "M 7", "R_JB 12 km", "epsilon",
                                 "period_s,predicted_median_sa_g,predicted_sigma,correlation,"
                                 "median_sa_g,sigma,p2_5_sa_g,p97_5_sa_g"));
@@ -222,14 +204,12 @@ TEST_F(SuiteSelect, target_prints_the_conditional_spectrum_as_csv) {
 
 TEST_F(SuiteSelect, records_of_a_conditional_spectrum_are_compared_with_it) {
   const std::string out = folder_.path("stripe.toml").string();
-  const Finished child =
-      select(with(an_earthquake, {"--count", "3", "--max-scale", "50", "--out", out, "--json"}));
-  EXPECT_EQ(child.status, 0) << child.err;
-  const json result = json::parse(child.out);
+  const Json result =
+      select_json(with(an_earthquake, {"--count", "3", "--max-scale", "50", "--out", out}));
   EXPECT_EQ(result["candidates"], 4);
   EXPECT_EQ(result["records"].size(), 3u);
   EXPECT_EQ(result["spectrum"].size(), 30u);
-  EXPECT_EQ(result["left_out"][0]["reasons"], json({"no second horizontal"}));
+  EXPECT_EQ(result["left_out"][0]["reasons"], Json({"no second horizontal"}));
   EXPECT_THAT(result["warnings"].dump(), states("4 candidates for 3 records", "loosely"));
   const std::string suite = read_file(out);
   EXPECT_THAT(suite, states("Sa(0.5 s) = 0.8 g", "seed 1", "WARNING: "));
@@ -252,15 +232,13 @@ TEST_F(SuiteSelect, the_figure_of_a_conditional_spectrum_goes_to_a_folder_of_its
 
 // As the head of the suite says, which the study takes.
 TEST_F(SuiteSelect, a_stripe_of_the_example_study_is_what_is_selected_for_it) {
-  const Finished child =
-      run_program({"suite", "select", GLISSADE_SOURCE_DIR "/suites/simulated_library.toml",
-                   "--period-s", "0.5", "--sa-g", "0.6", "--magnitude", "7", "--distance-km", "10",
-                   "--vs30-mps", "400", "--count", "10", "--json"});
-  ASSERT_EQ(child.status, 0) << child.err;
-  const json records = json::parse(child.out)["records"];
+  const Json records =
+      json_of({"suite", "select", GLISSADE_SOURCE_DIR "/suites/simulated_library.toml",
+               "--period-s", "0.5", "--sa-g", "0.6", "--magnitude", "7", "--distance-km", "10",
+               "--vs30-mps", "400", "--count", "10"})["records"];
   ASSERT_EQ(records.size(), 10u);
   const std::string stripe = read_file(GLISSADE_SOURCE_DIR "/studies/data/stripe_3.toml");
-  for (const json& record : records)
+  for (const Json& record : records)
     EXPECT_THAT(stripe, testing::HasSubstr("id = " + record["id"].dump() + "\n"));
 }
 
@@ -280,9 +258,8 @@ TEST_F(SuiteSelect, mistakes_of_a_conditional_spectrum_are_refused) {
 
 TEST_F(SuiteSelect, an_improbable_earthquake_is_warned_of) {
   const Finished child =
-      run_program({"suite", "target", "--period-s", "0.5", "--sa-g", "2.5", "--magnitude", "5",
-                   "--distance-km", "80", "--vs30-mps", "760"});
-  EXPECT_EQ(child.status, 0) << child.err;
+      succeeding({"suite", "target", "--period-s", "0.5", "--sa-g", "2.5", "--magnitude", "5",
+                  "--distance-km", "80", "--vs30-mps", "760"});
   EXPECT_THAT(child.out, states("WARNING", "standard deviations above the median"));
 }
 

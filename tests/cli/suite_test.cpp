@@ -12,8 +12,7 @@ namespace {
 const std::string level0 = GLISSADE_SOURCE_DIR "/suites/synthetic_level0.toml";
 
 TEST(Suite, show_lists_every_motion_with_its_components) {
-  const Finished child = run_program({"suite", "show", level0});
-  EXPECT_EQ(child.status, 0) << child.err;
+  const Finished child = succeeding({"suite", "show", level0});
   EXPECT_EQ(child.err, "");
   for (int i = 1; i <= 7; ++i)
     EXPECT_THAT(child.out, testing::HasSubstr("level0_" + std::to_string(i)));
@@ -25,8 +24,7 @@ TEST(Suite, show_lists_every_motion_with_its_components) {
 TEST(Suite, spectra_are_a_table_whose_average_stays_above_the_target_to_2_s) {
   const ScratchFolder folder;
   const std::string file = folder.path("spectra.csv").string();
-  const Finished child = run_program({"suite", "spectra", level0, "--out", file});
-  EXPECT_EQ(child.status, 0) << child.err;
+  succeeding({"suite", "spectra", level0, "--out", file});
   const std::string text = read_file(file);
   EXPECT_EQ(run_program({"suite", "spectra", level0}).out, text);  // the same without --out
   const std::vector<std::string> lines = lines_of(text);
@@ -51,8 +49,7 @@ TEST(Suite, spectra_are_a_table_whose_average_stays_above_the_target_to_2_s) {
 }
 
 TEST(Suite, scale_finds_the_factors_the_built_in_suite_was_made_with) {
-  const Finished child = run_program({"suite", "scale", level0});
-  EXPECT_EQ(child.status, 0) << child.err;
+  const Finished child = succeeding({"suite", "scale", level0});
   std::vector<std::string> lines = lines_of(child.out);
   const auto header = std::find(lines.begin(), lines.end(), "id,scale");
   ASSERT_EQ(lines.end() - header, 8);
@@ -77,16 +74,13 @@ TEST(Suite, dbe_factors_are_two_thirds_of_mce_factors) {
 }
 
 TEST(Suite, scale_names_the_clause_of_its_rule_and_warns_of_too_few_records) {
-  const Finished srss = run_program({"suite", "scale", level0, "--rule", "asce7_10", "--period-s",
-                                     "0.5", "--target", "dbe", "--max-factor", "20"});
-  EXPECT_EQ(srss.status, 0) << srss.err;
+  const Finished srss = succeeding({"suite", "scale", level0, "--rule", "asce7_10", "--period-s",
+                                    "0.5", "--target", "dbe", "--max-factor", "20"});
   EXPECT_THAT(srss.out, states("ASCE 7-10, 16.1.3.2", "dbe target", "0.1 to 0.75 s", "lowest 1 at",
                                "level0_7,"));
   EXPECT_THAT(srss.out, testing::Not(testing::HasSubstr("WARNING")));
-  const Finished rotated =
-      run_program({"suite", "scale", level0, "--rule", "asce7_22", "--period-s", "0.6", "0.5",
-                   "--to-1.5t", "--max-factor", "20"});
-  EXPECT_EQ(rotated.status, 0) << rotated.err;
+  const Finished rotated = succeeding({"suite", "scale", level0, "--rule", "asce7_22", "--period-s",
+                                       "0.6", "0.5", "--to-1.5t", "--max-factor", "20"});
   EXPECT_THAT(rotated.out, states("ASCE 7-22, 16.2.3.1", "RotD100", "0.1 to 0.9 s",
                                   "WARNING: 7 motions", "16.2.2", "11 at least"));
   const auto refused = [](std::vector<std::string> more, const std::vector<std::string>& facts) {
@@ -117,8 +111,7 @@ TEST(Suite, scale_writes_a_suite_with_the_factors_of_its_rule) {
   const std::vector<std::string> arguments{"suite",    "scale",      suite, "--rule",
                                            "asce7_16", "--period-s", "0.6", "--max-factor",
                                            "100",      "--out",      out};
-  const Finished child = run_program(arguments);
-  EXPECT_EQ(child.status, 0) << child.err;
+  const Finished child = succeeding(arguments);
   const std::string written = read_file(out);
   EXPECT_THAT(written, states("# one factor", "ASCE 7-16, 16.2.3.1", "WARNING: 3 motions",
                               "edition = \"asce7_16\"", "magnitude = 7", "in/a1.txt"));

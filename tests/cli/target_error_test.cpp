@@ -39,8 +39,7 @@ TEST_F(TargetError, a_killed_run_goes_on_and_ends_at_the_same_scramble) {
   ASSERT_TRUE(reaches(child, [&] { return journal_bytes(again) > 40000; }));
   ::kill(child.pid(), SIGKILL);
   child.wait();
-  const Finished resumed = run_program({"run", "--resume", again.string()});
-  ASSERT_EQ(resumed.status, 0) << resumed.err;
+  succeeding({"run", "--resume", again.string()});
   EXPECT_GT(run_json(again).at("units_of_earlier_sessions"), 0);
   EXPECT_EQ(run_json(again).at("sampling_target"), run_json(out()).at("sampling_target"));
   EXPECT_TRUE(read_file(again / "results.h5") == read_file(out() / "results.h5"));
@@ -49,9 +48,7 @@ TEST_F(TargetError, a_killed_run_goes_on_and_ends_at_the_same_scramble) {
 TEST_F(TargetError, other_analyses_are_of_the_samples_that_were_run) {
   const std::string other = folder_->write("other.toml", target_study() + "[shape]\n");
   const std::string to = folder_->path("shape").string();
-  const Finished child =
-      run_program({"report", (out() / "results.h5").string(), "--study", other, "--out", to});
-  ASSERT_EQ(child.status, 0) << child.err;
+  succeeding({"report", (out() / "results.h5").string(), "--study", other, "--out", to});
   EXPECT_EQ(read_file(to + "/tables/sampling_error.csv"),
             read_file(out() / "tables/sampling_error.csv"));
   EXPECT_TRUE(fs::exists(to + "/tables/shape.csv"));

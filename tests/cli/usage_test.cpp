@@ -17,15 +17,6 @@ TEST(Usage, help_names_every_command_and_succeeds) {
                                 "report"));
 }
 
-TEST(Usage, every_command_has_help) {
-  for (const char* command :
-       {"run", "slide", "fit", "friction", "suite", "building", "standards", "report"}) {
-    const Finished child = run_program({command, "--help"});
-    EXPECT_EQ(child.status, 0) << command;
-    EXPECT_THAT(child.out, states("--help")) << command;
-  }
-}
-
 TEST(Usage, version_is_one_line) {
   EXPECT_THAT(run_program({"--version"}).out,
               testing::MatchesRegex("glissade [0-9]+\\.[0-9]+\\.[0-9]+\n"));
@@ -40,20 +31,22 @@ TEST(Usage, a_working_directory_that_is_gone_is_named) {
                  {"the working directory", "No such file"});
 }
 
-TEST(Usage, a_misspelt_command_is_named_with_the_nearest) {
+TEST(Usage, a_misspelt_command_or_option_is_named_with_the_nearest) {
   expect_refused(run_program({"slid", "x"}), {"slid is not a command", "did you mean slide?"});
-}
-TEST(Usage, so_is_a_misspelt_option_also_where_a_required_one_is_missing) {
+  expect_refused(run_program({"suite", "sho", "x"}),
+                 {"sho is not a command", "did you mean show?"});
   expect_refused(run_program({"--hlep"}), {"--hlep is not an option", "did you mean --help?"});
+  // Also where a required one is missing.
   expect_refused(run_program({"slide", "--hlep"}), {"did you mean --help?"});
   expect_refused(run_program({"run", "x", "--outt=y"}), {"did you mean --out?"});
 }
-TEST(Usage, help_fits_a_terminal) {
+TEST(Usage, every_command_has_help_which_fits_a_terminal) {
   for (const std::vector<std::string>& command : all_commands()) {
     std::vector<std::string> arguments = command;
     arguments.emplace_back("--help");
-    for (const std::string& line : lines_of(run_program(arguments).out))
-      EXPECT_LE(line.size(), 80u) << line;
+    const Finished help = succeeding(arguments);
+    EXPECT_THAT(help.out, states("--help"));
+    for (const std::string& line : lines_of(help.out)) EXPECT_LE(line.size(), 80u) << line;
   }
   for (const std::vector<std::string>& arguments : {std::vector<std::string>{"explain"},
                                                     {"clearance", "--example"},
@@ -81,19 +74,11 @@ TEST(Usage, options_take_numbers_with_units_as_files_do) {
   EXPECT_EQ(standards("11.76798 m/s2"), standards("1.2"));
   expect_refused(run_program({"standards", "--sds-g", "1.2 in"}), {"--sds-g", "an acceleration"});
 }
-TEST(Usage, so_is_a_misspelt_command_of_suite) {
-  expect_refused(run_program({"suite", "sho", "x"}),
-                 {"sho is not a command", "did you mean show?"});
-}
-TEST(Usage, no_command_is_refused) { expect_refused(run_program({}), {"--help"}); }
-TEST(Usage, an_unknown_option_is_named) {
+TEST(Usage, what_is_missing_unknown_or_no_number_is_named) {
+  expect_refused(run_program({}), {"--help"});
   expect_refused(run_program({"slide", "r", "--mu", "1", "--slope-deg", "1", "--frobnicate"}),
                  {"--frobnicate"});
-}
-TEST(Usage, a_missing_option_is_named) {
   expect_refused(run_program({"slide", "r", "--mu", "1"}), {"--slope-deg", "required"});
-}
-TEST(Usage, text_for_a_number_is_shown) {
   expect_refused(run_program({"slide", "r", "--mu", "high", "--slope-deg", "1"}), {"--mu", "high"});
 }
 
