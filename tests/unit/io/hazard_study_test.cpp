@@ -95,10 +95,9 @@ TEST_F(HazardStudy, refuses_a_curve_that_is_none) {
 // The lowest level is 0.5: 10 x 0.5^-2 = 40 earthquakes a year.
 TEST_F(HazardStudy, needs_a_fragility_every_history_and_earthquakes_that_can_be_followed) {
   const std::string hazard = "[hazard]\nk0 = 1e-4\nk = 2\ndesign_life_years = 25\n";
-  EXPECT_THAT(
-      problems_of([&] { read(study_part + suite_part + intensity_part + friction_part + hazard); }),
-      testing::Contains(
-          is_problem("study.toml:11", std::vector<std::string>{"[hazard]", "[fragility]"})));
+  EXPECT_THAT(problems_of([&] { read(without_fragility + hazard); }),
+              testing::Contains(is_problem("study.toml:11",
+                                           std::vector<std::string>{"[hazard]", "[fragility]"})));
   refuses({{needed + "stop_at_largest = true\n" + hazard, "study.toml:13", {"[hazard]"}},
            {needed + "[hazard]\nk0 = 10\nk = 2\ndesign_life_years = 50\n",
             "study.toml:14",

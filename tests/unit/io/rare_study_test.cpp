@@ -9,9 +9,7 @@ using testing::ElementsAre;
 
 class RareStudy : public StudyFile {
  protected:
-  static std::string with(const std::string& tables) {
-    return study_part + suite_part + intensity_part + friction_part + tables;
-  }
+  static std::string with(const std::string& tables) { return without_fragility + tables; }
 };
 
 constexpr auto rare = "[rare]\nthresholds_m = [0.1, 0.2]\n";

@@ -45,6 +45,13 @@ inline std::string column(double seed, std::size_t count = 200, double dt_s = 0.
   return fmt::format("# units: g\n# DT = {}\n", dt_s) + lines_of_samples(motion_g(seed, count));
 }
 
+/// Why files are left out, a line each.
+inline std::string reasons(const SuiteImport& found) {
+  std::string text;
+  for (const LeftOut& left : found.left_out) text += left.what + ": " + left.reason + "\n";
+  return text;
+}
+
 /// A folder of record files, and the suite that is made of it.
 class SuiteImporter : public testing::Test {
  protected:
@@ -72,11 +79,6 @@ class SuiteImporter : public testing::Test {
       list += (list.empty() ? "" : ", ") +
               (component ? found.components[*component].shown() : std::string("-"));
     return list;
-  }
-  static std::string reasons(const SuiteImport& found) {
-    std::string text;
-    for (const LeftOut& left : found.left_out) text += left.what + ": " + left.reason + "\n";
-    return text;
   }
   void write_triple(const std::string& source = "Somewhere, 1/2/1999, Place") const {
     write("RSN7_SOME_PLC000.AT2", at2(source + ", 0", 1));

@@ -1,53 +1,24 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <gmock/gmock.h>
-
 #include <algorithm>
-#include <cmath>
-#include <cstdlib>
-#include <optional>
-#include <span>
 
-#include "glissade/core/units.hpp"
 #include "glissade/io/record_file.hpp"
-#include "glissade/io/suite_file.hpp"
 #include "problems.hpp"
-#include "temporary_folder.hpp"
+#include "recorded_motions.hpp"
 
 namespace glissade {
 namespace {
 
 namespace fs = std::filesystem;
 
-/// The folder of recorded motions, if there is one.
-std::optional<fs::path> records_folder() {
-  const char* named = std::getenv("GLISSADE_RECORDS");
-  const fs::path folder =
-      named != nullptr ? fs::path(named) : fs::path(GLISSADE_SOURCE_DIR "/../shared/records");
-  return fs::is_directory(folder) ? std::optional(folder) : std::nullopt;
-}
-
-class Recorded : public testing::Test {
+class Recorded : public RecordedMotions {
  protected:
-  void SetUp() override {
-    const auto folder = records_folder();
-    if (!folder)
-      GTEST_SKIP() << "no recorded motions: set GLISSADE_RECORDS, or put them in ../shared/records";
-    folder_ = *folder;
-  }
   Record read(const std::string& name, const RecordFileOptions& options = {}) const {
     return read_record(folder_ / name, options);
   }
   std::string error(const std::string& name, const RecordFileOptions& options = {}) const {
     return message_of([&] { read(name, options); });
   }
-  fs::path folder_;
 };
-
-double peak_g(std::span<const double> acceleration_mps2) {
-  double peak = 0.0;
-  for (const double a : acceleration_mps2) peak = std::max(peak, std::abs(a));
-  return peak / standard_gravity_mps2;
-}
 
 struct Expected {
   const char* file;
@@ -142,15 +113,7 @@ TEST_F(Recorded, text_files_of_one_and_two_columns_are_read) {
             7814u);
 }
 
-class RecordedSuite : public Recorded {
- protected:
-  Suite load(const std::string& name) const {
-    ::setenv("GLISSADE_RECORDS", folder_.c_str(), 1);
-    return load_suite(fs::path(GLISSADE_SOURCE_DIR) / "suites" / name);
-  }
-};
-
-TEST_F(RecordedSuite, walters_table_3_loads_with_its_factors_and_a_common_clock) {
+TEST_F(Recorded, walters_table_3_loads_with_its_factors_and_a_common_clock) {
   const Suite suite = load("walters_table3.toml");
   ASSERT_EQ(suite.motions.size(), 7u);
   const std::vector<double> scale = {4.0, 2.5, 3.8, 1.4, 4.0, 3.5, 1.4},
@@ -180,7 +143,7 @@ TEST_F(RecordedSuite, walters_table_3_loads_with_its_factors_and_a_common_clock)
     EXPECT_NEAR(first[i], -h2.acceleration_mps2[i], 2e-5) << i;
 }
 
-TEST_F(RecordedSuite, fema_p695_far_field_loads_with_twenty_verticals) {
+TEST_F(Recorded, fema_p695_far_field_loads_with_twenty_verticals) {
   const Suite suite = load("fema_p695_far_field.toml");
   ASSERT_EQ(suite.motions.size(), 22u);
   std::size_t verticals = 0;

@@ -1,24 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The samples of each format, against their index, which was made with other readers.
-#include <gmock/gmock.h>
-
 #include <cmath>
-#include <cstdlib>
 #include <fstream>
 
-#include "glissade/core/units.hpp"
 #include "glissade/io/record_file.hpp"
 #include "problems.hpp"
+#include "recorded_motions.hpp"
+#include "text/csv_rows.hpp"
+#include "text/scan.hpp"
 
 namespace glissade {
 namespace {
 
 namespace fs = std::filesystem;
-
-fs::path folder_of_records() {
-  const char* named = std::getenv("GLISSADE_RECORDS");
-  return named != nullptr ? fs::path(named) : fs::path(GLISSADE_SOURCE_DIR "/../shared/records");
-}
 
 /// A row of INDEX.csv; what it leaves empty is 0.
 struct Indexed {
@@ -26,29 +20,15 @@ struct Indexed {
   double npts = 0.0, dt_s = 0.0, pga_g = 0.0;
 };
 
-std::vector<std::string> quoted_cells(const std::string& line) {
-  std::vector<std::string> cells(1);
-  bool quoted = false;
-  for (const char c : line) {
-    if (c == '"') {
-      quoted = !quoted;
-    } else if (c == ',' && !quoted) {
-      cells.emplace_back();
-    } else {
-      cells.back() += c;
-    }
-  }
-  return cells;
-}
-
 std::vector<Indexed> indexed_formats() {
   std::vector<Indexed> rows;
   std::ifstream in(folder_of_records() / "INDEX.csv");
-  const auto number = [](const std::string& text) { return std::strtod(text.c_str(), nullptr); };
+  const auto number = [](std::string_view text) { return parse_number(text).value_or(0.0); };
   for (std::string line; std::getline(in, line);) {
-    const auto cells = quoted_cells(line);
+    const auto cells = quoted_cells(line, ',');
     if (cells.size() > 7 && cells[0].starts_with("formats/"))
-      rows.push_back({cells[0], cells[7], number(cells[4]), number(cells[5]), number(cells[6])});
+      rows.push_back({std::string(cells[0]), std::string(cells[7]), number(cells[4]),
+                      number(cells[5]), number(cells[6])});
   }
   return rows;
 }
@@ -83,17 +63,12 @@ Record read_as_asked(const Indexed& row, RecordFileOptions& options) {
   }
 }
 
-double peak_of(const Record& record) {
-  double peak = 0.0;
-  for (const double a : record.acceleration_mps2) peak = std::max(peak, std::abs(a));
-  return peak / standard_gravity_mps2;
-}
-
 /// The index has the peak of one component, or of all.
 bool any_component_peaks_at(const Indexed& row, RecordFileOptions options) {
   for (const char* component : {"1", "2", "3"}) {
     if (!options.component.empty()) options.component = component;
-    if (std::abs(peak_of(read_record(folder_of_records() / row.file, options)) - row.pga_g) < 6e-5)
+    if (std::abs(peak_g(read_record(folder_of_records() / row.file, options).acceleration_mps2) -
+                 row.pga_g) < 6e-5)
       return true;
     if (options.component.empty()) break;
   }
@@ -114,9 +89,9 @@ constexpr RefusedSample refused_samples[] = {{"usc_dat/", "where the step is"},
                                              {"testxy.sac", "SAC as text"},
                                              {"g3_headerless_5col", "5 columns"}};
 
-TEST(RecordedFormats, every_sample_is_read_as_its_index_says_or_is_refused_by_name) {
-  if (!fs::is_directory(folder_of_records()))
-    GTEST_SKIP() << "no recorded motions: set GLISSADE_RECORDS, or put them in ../shared/records";
+class RecordedFormats : public RecordedMotions {};
+
+TEST_F(RecordedFormats, every_sample_is_read_as_its_index_says_or_is_refused_by_name) {
   std::size_t read = 0;
   for (const Indexed& row : indexed_formats()) {
     RecordFileOptions options;
@@ -149,7 +124,7 @@ TEST(RecordedFormats, every_sample_is_read_as_its_index_says_or_is_refused_by_na
 }
 
 // From ../shared/faults: as users exported them, or made up.
-TEST(RecordedFormats, exports_of_programs_are_read_as_they_are) {
+TEST_F(RecordedFormats, exports_of_programs_are_read_as_they_are) {
   const fs::path faults = folder_of_records().parent_path() / "faults";
   if (!fs::is_directory(faults)) GTEST_SKIP() << "no folder faults beside the records";
   const RecordFileOptions none, mps2{.dt_s = {}, .units = AccelerationUnits::mps2},

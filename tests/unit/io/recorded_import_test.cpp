@@ -1,47 +1,27 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Recorded motions as they are downloaded, and the table of what is read of the samples.
-#include <fmt/format.h>
-#include <gmock/gmock.h>
-
 #include <algorithm>
-#include <cstdlib>
 #include <fstream>
 #include <iterator>
 #include <map>
 
-#include "facts.hpp"
-#include "glissade/io/suite_file.hpp"
-#include "glissade/io/suite_import.hpp"
-#include "temporary_folder.hpp"
+#include "record_folder.hpp"
+#include "recorded_motions.hpp"
 
 namespace glissade {
 namespace {
 
 namespace fs = std::filesystem;
 
-class RecordedImport : public testing::Test {
+class RecordedImport : public RecordedMotions {
  protected:
-  void SetUp() override {
-    const char* named = std::getenv("GLISSADE_RECORDS");
-    samples_ =
-        named != nullptr ? fs::path(named) : fs::path(GLISSADE_SOURCE_DIR "/../shared/records");
-    if (!fs::is_directory(samples_ / "formats"))
-      GTEST_SKIP() << "no recorded motions: set GLISSADE_RECORDS, or put them in ../shared/records";
-  }
-  void TearDown() override { ::setenv("GLISSADE_RECORDS", samples_.c_str(), 1); }
-  fs::path samples_;
+  void TearDown() override { ::setenv("GLISSADE_RECORDS", folder_.c_str(), 1); }
 };
 
 std::vector<std::string> ids_of(const SuiteImport& found) {
   std::vector<std::string> ids;
   for (const ImportedRecord& record : found.records) ids.push_back(record.id);
   return ids;
-}
-
-std::string reasons_of(const SuiteImport& found) {
-  std::string text;
-  for (const LeftOut& left : found.left_out) text += left.what + ": " + left.reason + "\n";
-  return text;
 }
 
 // Two to four files each of PEER's, Japan's, Italy's, Turkey's ... data bases in one folder.
@@ -51,7 +31,7 @@ TEST_F(RecordedImport, forty_mixed_files_become_a_suite_by_one_call) {
   fs::create_directories(in / "copies");
   int files = 0;
   const auto take = [&](const std::string& name) {
-    fs::copy_file(samples_ / name, in / fs::path(name).filename());
+    fs::copy_file(folder_ / name, in / fs::path(name).filename());
     ++files;
   };
   for (const char* name :
@@ -91,12 +71,12 @@ TEST_F(RecordedImport, forty_mixed_files_become_a_suite_by_one_call) {
     take(std::string("formats/") + name);
   take("walters2012_table3/bolu_RSN1602/RSN1602_DUZCE_BOL000.VT2");
   fs::copy_file(in / "RSN1111_KOBE_NIS-UP.AT2", in / "copies/again.AT2"), ++files;
-  fs::copy_file(samples_ / "README.md", in / "README.md"), ++files;
+  fs::copy_file(folder_ / "README.md", in / "README.md"), ++files;
   ASSERT_EQ(files, 40);
 
   ImportOptions options;
   options.inputs = {in};
-  options.report = samples_ / "fema_p695_far_field/_SearchResults.csv";
+  options.report = folder_ / "fema_p695_far_field/_SearchResults.csv";
   const SuiteImport found = import_suite(options);
   EXPECT_THAT(ids_of(found),
               testing::ElementsAre(
@@ -105,7 +85,7 @@ TEST_F(RecordedImport, forty_mixed_files_become_a_suite_by_one_call) {
                   "CHB0021412312349", "HI.ARS1.D.20190728.160908.C.ACC", "RSN1111_KOBE_NIS",
                   "RSN169_IMPVALL.H_H-DLT", "RSN725_SUPER.B_B-POE", "RSN763_LOMAP_GIL"));
   EXPECT_THAT(
-      reasons_of(found),
+      reasons(found),
       test::states("README.md", "copies/again.AT2: a duplicate: the same bytes as",
                    "RSN1602_DUZCE_BOL000.VT2: units 'cm/s': this is a velocity file",
                    "spectra (V3)", "NGNH311106302345.EW2, NGNH311106302345.UD2: one horizontal",
@@ -145,11 +125,11 @@ TEST_F(RecordedImport, forty_mixed_files_become_a_suite_by_one_call) {
 
 TEST_F(RecordedImport, a_folder_and_report_of_peer_become_the_suite_of_fema_p695) {
   ImportOptions options;
-  options.inputs = {samples_ / "fema_p695_far_field"};
-  options.report = samples_ / "fema_p695_far_field/_SearchResults.csv";
+  options.inputs = {folder_ / "fema_p695_far_field"};
+  options.report = folder_ / "fema_p695_far_field/_SearchResults.csv";
   const SuiteImport found = import_suite(options);
   EXPECT_EQ(found.records.size(), 21u);
-  EXPECT_EQ(found.left_out.size(), 2u) << reasons_of(found);  // Rio Dell, without units and step
+  EXPECT_EQ(found.left_out.size(), 2u) << reasons(found);  // Rio Dell, without units and step
   std::size_t verticals = 0;
   for (const ImportedRecord& record : found.records) {
     verticals += record.components[2] ? 1 : 0;
@@ -213,9 +193,9 @@ std::string table_of_samples(const fs::path& samples) {
   return table;
 }
 
-TEST_F(RecordedImport, the_table_of_samples_is_what_is_read) {
+TEST_F(RecordedImport, the_table_of_folder_is_what_is_read) {
   const fs::path committed = GLISSADE_SOURCE_DIR "/tests/unit/io/recorded_samples.csv";
-  const std::string table = table_of_samples(samples_ / "formats");
+  const std::string table = table_of_samples(folder_ / "formats");
   std::ifstream in(committed);
   if (std::string{std::istreambuf_iterator<char>(in), {}} == table) return;
   const fs::path made = fs::temp_directory_path() / "recorded_samples.csv";

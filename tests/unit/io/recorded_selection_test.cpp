@@ -1,41 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <gmock/gmock.h>
-
-#include <algorithm>
-#include <cstdlib>
-#include <filesystem>
 #include <set>
 
 #include "glissade/core/error.hpp"
-#include "glissade/core/units.hpp"
-#include "glissade/io/suite_file.hpp"
-#include "glissade/motion/intensity.hpp"
 #include "glissade/motion/record_selection.hpp"
 #include "glissade/motion/suite_scaling.hpp"
+#include "recorded_motions.hpp"
 
 namespace glissade {
 namespace {
 
-namespace fs = std::filesystem;
-
-/// Selections from the suites of recorded motions, where there are any.
-class RecordedSelection : public testing::Test {
- protected:
-  void SetUp() override {
-    const char* named = std::getenv("GLISSADE_RECORDS");
-    const fs::path folder =
-        named != nullptr ? fs::path(named) : fs::path(GLISSADE_SOURCE_DIR "/../shared/records");
-    if (!fs::is_directory(folder))
-      GTEST_SKIP() << "no recorded motions: set GLISSADE_RECORDS, or put them in ../shared/records";
-    ::setenv("GLISSADE_RECORDS", folder.c_str(), 1);
-  }
-  static Suite load(const std::string& name) {
-    return load_suite(fs::path(GLISSADE_SOURCE_DIR) / "suites" / name);
-  }
-  static double peak_g(const Motion& motion, std::size_t axis) {
-    return peak_ground_acceleration_mps2(motion.horizontal_mps2[axis]) / standard_gravity_mps2;
-  }
-};
+class RecordedSelection : public RecordedMotions {};
 
 /// A tenth of Walters's periods: enough to choose by, and quick.
 std::vector<double> some_periods_s() {
@@ -119,8 +93,8 @@ TEST_F(RecordedSelection, kallioras_loads_with_the_indexed_peaks_on_one_clock) {
   }
   // PGA (g) of records/INDEX.csv, which was made with another reader: TLM1 WE and NS.
   EXPECT_EQ(library.motions[0].id, "19760506_2000_tlm1");
-  EXPECT_NEAR(peak_g(library.motions[0], 0), 0.3151, 5e-5);
-  EXPECT_NEAR(peak_g(library.motions[0], 1), 0.3457, 5e-5);
+  EXPECT_NEAR(peak_g(library.motions[0].horizontal_mps2[0]), 0.3151, 5e-5);
+  EXPECT_NEAR(peak_g(library.motions[0].horizontal_mps2[1]), 0.3457, 5e-5);
 }
 
 TEST_F(RecordedSelection, of_kallioras_for_the_spectrum_of_level_2_reaches_it) {

@@ -248,75 +248,68 @@ TEST(results_file, a_flipped_bit_anywhere_is_found_by_the_checksum) {
   }
 }
 
-/// A good file in which one dataset has been replaced by one of numbers with these sides, no value
-/// of which is stored.
-std::filesystem::path file_with(const TemporaryFolder& folder, const char* dataset,
-                                const std::vector<hsize_t>& sides) {
+/// A good file in which one dataset has been replaced by what `put` makes.
+template <class Put>
+std::filesystem::path file_with(const TemporaryFolder& folder, const std::string& dataset,
+                                const Put& put) {
   const auto path = folder.path() / "edited.h5";
   write_results(path, with_everything());
   const hid_t file = H5Fopen(path.c_str(), H5F_ACC_RDWR, H5P_DEFAULT);
-  const hid_t space = H5Screate_simple(static_cast<int>(sides.size()), sides.data(), nullptr);
-  EXPECT_GE(H5Ldelete(file, dataset, H5P_DEFAULT), 0) << dataset;
-  const hid_t set =
-      H5Dcreate2(file, dataset, H5T_IEEE_F64LE, space, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT);
-  EXPECT_GE(set, 0) << dataset;
-  H5Dclose(set);
-  H5Sclose(space);
+  EXPECT_GE(H5Ldelete(file, dataset.c_str(), H5P_DEFAULT), 0) << dataset;
+  put(file);
   EXPECT_GE(H5Fclose(file), 0);
   test::renew_checksum(path);
   return path;
 }
 
-/// A good file whose PGA of the records is stored otherwise: by other properties, or behind a link.
-std::filesystem::path file_with_pga(const TemporaryFolder& folder, hid_t properties,
-                                    const char* external_link) {
-  const auto path = folder.path() / "edited.h5";
-  write_results(path, with_everything());
-  const hid_t file = H5Fopen(path.c_str(), H5F_ACC_RDWR, H5P_DEFAULT);
-  const auto records = static_cast<hsize_t>(with_everything().records.size());
-  const std::string name = "records/pga_g";
-  EXPECT_GE(H5Ldelete(file, name.c_str(), H5P_DEFAULT), 0);
-  if (external_link != nullptr) {
-    EXPECT_GE(H5Lcreate_external(external_link, "/records/pga_g", file, name.c_str(), H5P_DEFAULT,
-                                 H5P_DEFAULT),
-              0);
-  } else {
-    const hid_t space = H5Screate_simple(1, &records, nullptr);
-    const hid_t set =
-        H5Dcreate2(file, name.c_str(), H5T_IEEE_F64LE, space, H5P_DEFAULT, properties, H5P_DEFAULT);
-    EXPECT_GE(set, 0);
-    H5Dclose(set);
-    H5Sclose(space);
-  }
-  EXPECT_GE(H5Fclose(file), 0);
-  test::renew_checksum(path);
-  return path;
+/// Numbers with these sides, no value of which is stored.
+void put_numbers(hid_t file, const std::string& dataset, const std::vector<hsize_t>& sides,
+                 hid_t properties = H5P_DEFAULT) {
+  const hid_t space = H5Screate_simple(static_cast<int>(sides.size()), sides.data(), nullptr);
+  const hid_t set = H5Dcreate2(file, dataset.c_str(), H5T_IEEE_F64LE, space, H5P_DEFAULT,
+                               properties, H5P_DEFAULT);
+  EXPECT_GE(set, 0) << dataset;
+  H5Dclose(set);
+  H5Sclose(space);
 }
 
 TEST(results_file, what_is_stored_outside_the_file_or_compressed_in_another_way_is_refused) {
   const TemporaryFolder folder;
-  const auto refusal = [&](hid_t properties, const char* link) {
-    const auto file = file_with_pga(folder, properties, link);
-    const std::string message = message_of([&] { read_results(file); });
+  const std::string pga = "records/pga_g";
+  const auto refusal = [&](const auto& put) {
+    const auto file = file_with(folder, pga, put);
+    return message_of([&] { read_results(file); });
+  };
+  const auto refusal_of = [&](hid_t properties) {
+    const std::string message = refusal([&](hid_t file) {
+      put_numbers(file, pga, {with_everything().records.size()}, properties);
+    });
     H5Pclose(properties);
     return message;
   };
   const hid_t external = H5Pcreate(H5P_DATASET_CREATE);
   H5Pset_external(external, "/etc/hostname", 0, H5F_UNLIMITED);
-  EXPECT_THAT(refusal(external, nullptr), states("pga_g", "not stored in the file"));
+  EXPECT_THAT(refusal_of(external), states("pga_g", "not stored in the file"));
   const hid_t chunked = H5Pcreate(H5P_DATASET_CREATE);
   const hsize_t one = 1;
   H5Pset_chunk(chunked, 1, &one);
   H5Pset_deflate(chunked, 1);
-  EXPECT_THAT(refusal(chunked, nullptr), states("pga_g", "cut in another way"));
-  EXPECT_THAT(refusal(H5Pcreate(H5P_DATASET_CREATE), "other.h5"), states("pga_g", "link"));
+  EXPECT_THAT(refusal_of(chunked), states("pga_g", "cut in another way"));
+  const auto link = [&](hid_t file) {
+    EXPECT_GE(H5Lcreate_external("other.h5", "/records/pga_g", file, pga.c_str(), H5P_DEFAULT,
+                                 H5P_DEFAULT),
+              0);
+  };
+  EXPECT_THAT(refusal(link), states("pga_g", "link"));
 }
 
 TEST(results_file, datasets_that_claim_more_than_the_file_can_hold_are_refused) {
   const TemporaryFolder folder;
   constexpr hsize_t huge = hsize_t{1} << 40;
   const auto refuses = [&](const std::string& dataset, const std::vector<hsize_t>& sides) {
-    EXPECT_THAT(message_of([&] { read_results(file_with(folder, dataset.c_str(), sides)); }),
+    const auto file =
+        file_with(folder, dataset, [&](hid_t open) { put_numbers(open, dataset, sides); });
+    EXPECT_THAT(message_of([&] { read_results(file); }),
                 states(dataset.substr(dataset.rfind('/') + 1), "larger"));
   };
   refuses("records/pga_g", {huge});

@@ -171,7 +171,6 @@ inline const std::vector<Results>& whole_results() {
   return all;
 }
 
-
 /// The writer's bytes are a function of the content: every double the same bits, nan included.
 inline std::string bytes_of(const Results& results, const TemporaryFolder& folder,
                             const std::string& name) {

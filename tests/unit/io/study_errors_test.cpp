@@ -89,6 +89,7 @@ struct Contradiction {
 
 TEST_F(StudyFile, contradictions_and_values_out_of_range_have_one_clear_message_each) {
   const std::string rest = study_part + suite_part + friction_part + fragility_part;
+  const std::string building = needed + "[building]\n";
   const std::string pga = rest + "[intensity]\nmeasure = \"pga_g\"\nlevels = [0.5]\n";
   const std::string by_sds = "[intensity]\nmeasure = \"sds_g\"\nlevels = [0.5]\n";
   const std::vector<Contradiction> cases = {
@@ -103,47 +104,44 @@ TEST_F(StudyFile, contradictions_and_values_out_of_range_have_one_clear_message_
       {needed + "[sampling]\nsamples = 1000\n", "sampling.samples"},
       {needed + "[sampling]\nsamples = 0\n", "sampling.samples"},
       {needed + "[sampling]\nbootstrap_replicates = 10\n", "sampling.bootstrap_replicates"},
-      {needed + "[building]\ndamping = { distribution = \"normal\", mean = 0.05, std = 0.02 }\n",
+      {building + "damping = { distribution = \"normal\", mean = 0.05, std = 0.02 }\n",
        "building.damping"},
-      {needed + "[building]\nperiod_s = { distribution = \"uniform\", min = 2, max = 1 }\n",
+      {building + "period_s = { distribution = \"uniform\", min = 2, max = 1 }\n",
        "building.period_s"},
-      {needed + "[building]\nperiod_s = { distribution = \"unifrom\", min = 1, max = 2 }\n",
+      {building + "period_s = { distribution = \"unifrom\", min = 1, max = 2 }\n",
        "building.period_s.distribution"},
-      {needed + "[building]\nperiod_s = { distribution = \"uniform\", low = 1, max = 2 }\n",
+      {building + "period_s = { distribution = \"uniform\", low = 1, max = 2 }\n",
        "building.period_s.min"},
-      {needed + "[building]\nperiod_s = [1, 0.5]\n", "building.period_s"},
-      {needed + "[building]\nperiod_s = []\n", "building.period_s"},
-      {needed + "[building]\nresponse_modification = 0.5\n", "building.response_modification"},
-      {needed + "[building]\nresponse_modification = [0, 0.5, 2]\n",
+      {building + "period_s = [1, 0.5]\n", "building.period_s"},
+      {building + "period_s = []\n", "building.period_s"},
+      {building + "response_modification = 0.5\n", "building.response_modification"},
+      {building + "response_modification = [0, 0.5, 2]\n", "building.response_modification"},
+      {building + "response_modification = { mean = 3, std = 1 }\n",
        "building.response_modification"},
-      {needed + "[building]\nresponse_modification = { mean = 3, std = 1 }\n",
+      {building + "response_modification = 2\nyield_coefficient = 0.2\n",
        "building.response_modification"},
-      {needed + "[building]\nresponse_modification = 2\nyield_coefficient = 0.2\n",
+      {building + "response_modification = [0, 2]\nyield_coefficient = [0, 0.2]\n",
        "building.response_modification"},
-      {needed + "[building]\nresponse_modification = [0, 2]\nyield_coefficient = [0, 0.2]\n",
+      {building + "hardening_ratio = 0.05\n", "building.hardening_ratio"},
+      {building + "period_s = 1\nalpha = -1\n", "building.alpha"},
+      {building + "alpha = 5\n", "building.alpha"},
+      {building + "period_s = 1\nalpha = 5\nstoreys = 3\n", "building.storeys"},
+      {building + "period_s = 1\nalpha = 5\nresponse_modification = 2\n",
        "building.response_modification"},
-      {needed + "[building]\nhardening_ratio = 0.05\n", "building.hardening_ratio"},
-      {needed + "[building]\nperiod_s = 1\nalpha = -1\n", "building.alpha"},
-      {needed + "[building]\nalpha = 5\n", "building.alpha"},
-      {needed + "[building]\nperiod_s = 1\nalpha = 5\nstoreys = 3\n", "building.storeys"},
-      {needed + "[building]\nperiod_s = 1\nalpha = 5\nresponse_modification = 2\n",
-       "building.response_modification"},
-      {needed + "[building]\nperiod_s = 1\nstoreys = 0\n", "building.storeys"},
-      {needed + "[building]\nperiod_s = 1\nstoreys = 2\nstorey_masses = [1, 1, 1]\n",
+      {building + "period_s = 1\nstoreys = 0\n", "building.storeys"},
+      {building + "period_s = 1\nstoreys = 2\nstorey_masses = [1, 1, 1]\n",
        "building.storey_masses"},
-      {needed + "[building]\nperiod_s = 1\nstorey_stiffnesses = [1, 0]\n",
-       "building.storey_stiffnesses"},
-      {needed + "[building]\nmodes = [{ period_s = 1, participation = 1.3 }]\n",
-       "building.modes.mass_share"},
-      {needed + "[building]\nmodes = [{ period_s = 1, participation = 1.3, mass_share = 0.8 }, { "
-                "period_s = 1.2, participation = -0.3, mass_share = 0.1 }]\n",
+      {building + "period_s = 1\nstorey_stiffnesses = [1, 0]\n", "building.storey_stiffnesses"},
+      {building + "modes = [{ period_s = 1, participation = 1.3 }]\n", "building.modes.mass_share"},
+      {building + "modes = [{ period_s = 1, participation = 1.3, mass_share = 0.8 }, { "
+                  "period_s = 1.2, participation = -0.3, mass_share = 0.1 }]\n",
        "building.modes"},
-      {needed + "[building]\nmodes = [{ period_s = 1, participation = 1.3, mass_share = 0.8 }, { "
-                "period_s = 0.3, participation = -0.3, mass_share = 0.3 }]\n",
+      {building + "modes = [{ period_s = 1, participation = 1.3, mass_share = 0.8 }, { "
+                  "period_s = 0.3, participation = -0.3, mass_share = 0.3 }]\n",
        "building.modes"},
-      {needed + "[building]\nmodes = []\n", "building.modes"},
-      {needed +
-           "[building]\nmodes = [{ period_s = 7, participation = 1, mass_share = 0.1 }, { "
+      {building + "modes = []\n", "building.modes"},
+      {building +
+           "modes = [{ period_s = 7, participation = 1, mass_share = 0.1 }, { "
            "period_s = 6, participation = 1, mass_share = 0.1 }, { period_s = 5, participation "
            "= 1, mass_share = 0.1 }, { period_s = 4, participation = 1, mass_share = 0.1 }, { "
            "period_s = 3, participation = 1, mass_share = 0.1 }, { period_s = 2, participation "
@@ -167,12 +165,9 @@ TEST_F(StudyFile, contradictions_and_values_out_of_range_have_one_clear_message_
       {needed + "[vertical]\nuse = []\n", "vertical.use"},
       {needed + "[model]\naxes = 1\ndisplacement = \"vector\"\n", "model.displacement"},
       {needed + "[model]\naxes = 3\n", "model.axes"},
-      {study_part + suite_part + intensity_part + friction_part +
-           "[base_shear]\n[model]\ndisplacement = \"vector\"\n",
+      {without_fragility + "[base_shear]\n[model]\ndisplacement = \"vector\"\n",
        "model.displacement"},
-      {study_part + suite_part + intensity_part + friction_part +
-           "[clearance]\n[sampling]\nscrambles = 2\n",
-       "sampling.scrambles"},
+      {without_fragility + "[clearance]\n[sampling]\nscrambles = 2\n", "sampling.scrambles"},
       {friction_last + "across_mu = 0\n[model]\naxes = 2\n", "friction.across_mu"},
       {friction_last + "fast_over_slow = 1.2\n", "friction.fast_over_slow"},
       {friction_last + "rate_s_per_m = 3\n", "friction.rate_s_per_m"},
@@ -192,16 +187,11 @@ TEST_F(StudyFile, contradictions_and_values_out_of_range_have_one_clear_message_
       {needed + "stop_at_largest = true\n[impact]\n", "fragility.stop_at_largest"},
       {needed + "stop_at_largest = true\n[base_shear]\n[model]\naxes = 2\n",
        "fragility.stop_at_largest"},
-      {study_part + suite_part + intensity_part + fragility_part + "[friction]\nmu = -0.5\n",
-       "friction.mu"},
-      {study_part + suite_part + intensity_part + fragility_part + "[friction]\n", "friction.mu"},
-      {study_part + suite_part + intensity_part + friction_part, "the study"},
-      {study_part + suite_part + intensity_part + friction_part +
-           "[fragility]\nthresholds_m = [0.0, 0.3]\n",
-       "fragility.thresholds_m"},
-      {study_part + suite_part + intensity_part + friction_part +
-           "[fragility]\nthresholds_m = []\n",
-       "fragility.thresholds_m"},
+      {without_friction + "[friction]\nmu = -0.5\n", "friction.mu"},
+      {without_friction + "[friction]\n", "friction.mu"},
+      {without_fragility, "the study"},
+      {without_fragility + "[fragility]\nthresholds_m = [0.0, 0.3]\n", "fragility.thresholds_m"},
+      {without_fragility + "[fragility]\nthresholds_m = []\n", "fragility.thresholds_m"},
       {rest + "[intensity]\nmeasure = \"pga_g\"\nlevels = { from = 1, to = 0.5, count = 4 }\n",
        "intensity.levels"},
       {rest +
@@ -210,8 +200,8 @@ TEST_F(StudyFile, contradictions_and_values_out_of_range_have_one_clear_message_
       {rest + "[intensity]\nmeasure = \"pga_g\"\nlevels = { from = 1, to = 1.0000000000000004, "
               "count = 9 }\n",
        "intensity.levels"},
-      {needed + "[building]\nperiod_s = { from = 0, to = 2, count = 5000 }\n"
-                "[roof]\nslope_deg = { from = 0, to = 7, count = 5000 }\n",
+      {building + "period_s = { from = 0, to = 2, count = 5000 }\n"
+                  "[roof]\nslope_deg = { from = 0, to = 7, count = 5000 }\n",
        "the study"},
       {"[study]\nname = \"a\"\nseed = -1\n" + suite_part + intensity_part + friction_part +
            fragility_part,

@@ -192,9 +192,7 @@ TEST_F(StudyFile, every_parameter_takes_a_number_a_list_a_range_and_distribution
       if (key == "alpha") table += "period_s = 1\n";
       if (key.starts_with("neighbour"))
         table += "[standards]\ncompare = [\"asce7_16\"]\n[verdict]\n";
-      return read(study_part + suite_part + intensity_part + fragility_part +
-                  "[model]\naxes = 2\n" + table)
-          .quantities[i];
+      return read(without_friction + "[model]\naxes = 2\n" + table).quantities[i];
     };
     SCOPED_TRACE(key);
     const double first = std::stod(from), last = std::stod(to);
@@ -228,8 +226,7 @@ TEST_F(StudyFile, every_parameter_takes_a_number_a_list_a_range_and_distribution
 TEST_F(StudyFile, a_value_out_of_a_parameters_range_is_refused_with_the_range) {
   for (const Parameter& p : parameters()) {
     const auto refuses_value = [&](const std::string& value) {
-      const std::string text = study_part + suite_part + intensity_part + fragility_part +
-                               "[model]\naxes = 2\n" + one_key(p, value);
+      const std::string text = without_friction + "[model]\naxes = 2\n" + one_key(p, value);
       EXPECT_THAT(problems_of([&] { read(text); }),
                   testing::Contains(testing::ResultOf(
                       [](const Problem& problem) { return to_string(problem); },
@@ -374,7 +371,7 @@ TEST_F(StudyFile, a_tail_of_one_in_a_million_may_lie_outside_the_range) {
 TEST_F(StudyFile, of_finished_results_names_files_as_they_were_but_for_a_hazard_curve) {
   folder_.write("tests.csv", "mu\n0.50\n0.54\n0.58\n");
   folder_.write("curve.csv", "sds_g,annual_rate\n0.1,0.05\n1.5,0.0004\n");
-  const std::string study = study_part + suite_part + intensity_part + fragility_part +
+  const std::string study = without_friction +
                             "[friction]\nfile = \"tests.csv\"\n[hazard]\ncurve = "
                             "\"curve.csv\"\ndesign_life_years = 25\n";
   Results run;

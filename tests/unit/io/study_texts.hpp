@@ -16,12 +16,14 @@ inline const std::string intensity_part =
     "[intensity]\nmeasure = \"sds_g\"\nlevels = { from = 0.5, to = 2.0, count = 4 }\n";
 inline const std::string friction_part = "[friction]\nmu = { mean = 0.55, std = 0.04 }\n";
 inline const std::string fragility_part = "[fragility]\nthresholds_m = [0.15, 0.3]\n";
-inline const std::string needed =
-    study_part + suite_part + intensity_part + friction_part + fragility_part;
+inline const std::string without_fragility =
+    study_part + suite_part + intensity_part + friction_part;
+inline const std::string needed = without_fragility + fragility_part;
 
-/// The same, open for more keys of [friction].
-inline const std::string friction_last =
-    study_part + suite_part + intensity_part + fragility_part + friction_part;
+inline const std::string without_friction =
+    study_part + suite_part + intensity_part + fragility_part;
+/// The needed parts, open for more keys of [friction].
+inline const std::string friction_last = without_friction + friction_part;
 
 /// [friction] mu, and this key in its table, which comes last.
 inline std::string one_key(const Parameter& p, const std::string& value) {
