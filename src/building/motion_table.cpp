@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "glissade/core/contract.hpp"
+#include "glissade/core/hull_maximum.hpp"
 #include "oscillator_bank.hpp"
 #include "ring_down.hpp"
 
@@ -194,28 +195,8 @@ MotionTable tabulate_response(const std::shared_ptr<GroundTable>& ground, const 
   return table;
 }
 
-namespace {
-
-/// Raises `peak` to the largest size(quartic), refining only where the hull allows a larger value.
-template <class Size>
-void raise_to_peak(const Quartic& q, double& peak, Size size) {
-  peak = std::max({peak, size(q.b[0]), size(q.b[4])});
-  double hull = 0.0;
-  for (const double b : q.b) hull = std::max(hull, size(b));
-  if (hull <= peak * (1.0 + 1e-12)) return;
-  Quartic left, right = q;
-  for (int level = 0; level < 5; ++level) {  // de Casteljau, in the middle
-    left.b[level] = right.b[0];
-    for (int k = 0; k < 4 - level; ++k) right.b[k] = 0.5 * (right.b[k] + right.b[k + 1]);
-  }
-  raise_to_peak(left, peak, size);
-  raise_to_peak(right, peak, size);
-}
-
-}  // namespace
-
 void raise_to_largest(const Quartic& q, double& largest) {
-  raise_to_peak(q, largest, [](double value) { return value; });
+  raise_to_largest(std::to_array(q.b), largest, [](double value) { return value; });
 }
 
 double peak_acceleration_mps2(const MotionTable& table) {
@@ -225,7 +206,8 @@ double peak_acceleration_mps2(const MotionTable& table) {
     peak = std::max(peak, std::abs(at.acceleration_mps2(i)));
   if (table.rigid()) return peak;
   for (std::size_t i = 0; i < table.end; ++i)
-    raise_to_peak(at.acceleration_after(i), peak, [](double a) { return std::abs(a); });
+    raise_to_largest(std::to_array(at.acceleration_after(i).b), peak,
+                     [](double a) { return std::abs(a); });
   return peak;
 }
 

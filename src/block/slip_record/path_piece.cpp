@@ -2,14 +2,13 @@
 #include "block/slip_record/path_piece.hpp"
 
 #include <algorithm>
-#include <limits>
 
-#include "block/slip_record/two_axis_extremes.hpp"
+#include "block/contact/line.hpp"
+#include "glissade/core/hull_maximum.hpp"
 
 namespace glissade::block_detail {
 namespace {
 
-constexpr double never = std::numeric_limits<double>::infinity();
 using Points = std::array<Vector, 5>;
 
 /// The polar form of a curve: symmetric in its arguments, and the curve where they are equal.

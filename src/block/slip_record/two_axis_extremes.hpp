@@ -6,6 +6,7 @@
 
 #include "block/contact/plane_vector.hpp"
 #include "glissade/block/two_axis.hpp"
+#include "glissade/core/hull_maximum.hpp"
 
 namespace glissade::block_detail {
 
@@ -29,26 +30,6 @@ struct Path {
   /// By Simpson's rule on the speed.
   double path_length() const;
 };
-
-/// Raises `largest` to the largest size(point) of a Bezier curve, to 1e-12 of it: a curve stays in
-/// the hull of its control points, and is halved where they allow more.
-/// @tparam Size convex; @param slack by which `largest` may stay too small
-/// @param halvings after which the hull is off by less than rounding
-template <std::size_t n, class Size>
-void raise_to_largest(const std::array<Vector, n>& curve, double& largest, const Size& size,
-                      double slack = 0.0, int halvings = 24) {
-  largest = std::max({largest, size(curve.front()), size(curve.back())});
-  double hull = 0.0;
-  for (const Vector& point : curve) hull = std::max(hull, size(point));
-  if (halvings == 0 || hull <= largest * (1.0 + 1e-12) || hull <= largest + slack) return;
-  std::array<Vector, n> left, right = curve;
-  for (std::size_t level = 0; level < n; ++level) {  // de Casteljau, in the middle
-    left[level] = right[0];
-    for (std::size_t k = 0; k + level + 1 < n; ++k) right[k] = 0.5 * (right[k] + right[k + 1]);
-  }
-  raise_to_largest(left, largest, size, slack, halvings - 1);
-  raise_to_largest(right, largest, size, slack, halvings - 1);
-}
 
 /// The largest values of a history.
 class Extremes {
