@@ -14,7 +14,6 @@
 namespace glissade {
 namespace {
 
-using building_detail::bank_size;
 using building_detail::OscillatorBank;
 using building_detail::padding;
 
@@ -40,12 +39,13 @@ struct Responding {
 /// Takes oscillators from node `from`, where they have states, to node `to`.
 void advance(std::span<const Responding> all, const GroundTable& ground, std::size_t from,
              std::size_t to) {
-  for (std::size_t first = 0; first < all.size(); first += bank_size) {
+  constexpr std::size_t at_once = OscillatorBank::size;
+  for (std::size_t first = 0; first < all.size(); first += at_once) {
     OscillatorBank bank;
-    std::array<double*, bank_size> x{}, y{};
-    for (std::size_t k = 0; k < std::min(bank_size, all.size() - first); ++k) {
+    std::array<double*, at_once> x{}, y{};
+    for (std::size_t k = 0; k < std::min(at_once, all.size() - first); ++k) {
       const Responding& one = all[first + k];
-      building_detail::load(bank, k, one.oscillator, ground.step_s());
+      bank.set(k, one.oscillator, ground.step_s());
       bank.x[k] = (*one.x)[from];
       bank.y[k] = (*one.y)[from];
       x[k] = one.x->data();

@@ -9,64 +9,57 @@
 #include <hwy/foreach_target.h>  // before highway.h
 #include <hwy/highway.h>
 
+#include "core/oscillator_lanes-inl.hpp"
+
 HWY_BEFORE_NAMESPACE();
 namespace glissade::building_detail::HWY_NAMESPACE {
 
+namespace lanes = oscillator_lanes::HWY_NAMESPACE;
 namespace hn = hwy::HWY_NAMESPACE;
-using Doubles = HWY_CAPPED(double, bank_size / 2);
-using Vector = hn::Vec<Doubles>;
+using lanes::Doubles, lanes::Vector;
 
 /// Some of a bank's oscillators, in registers.
-struct Lanes {
-  Vector xx, xy, yy, x_start, x_end, y_start, y_end, x, y;
+struct BankLanes {
+  std::size_t first;
+  lanes::StepOfLanes after;
+  lanes::StateOfLanes state;
 
-  Lanes(const OscillatorBank& bank, std::size_t first) {
-    const Doubles d;
-    xx = hn::Load(d, bank.xx + first);
-    xy = hn::Load(d, bank.xy + first);
-    yy = hn::Load(d, bank.yy + first);
-    x_start = hn::Load(d, bank.x_start + first);
-    x_end = hn::Load(d, bank.x_end + first);
-    y_start = hn::Load(d, bank.y_start + first);
-    y_end = hn::Load(d, bank.y_end + first);
-    x = hn::Load(d, bank.x + first);
-    y = hn::Load(d, bank.y + first);
+  HWY_INLINE BankLanes(const OscillatorBank& bank, std::size_t first_oscillator)
+      : first(first_oscillator),
+        after(bank.steps, first),
+        state{lanes::Load(bank.x, first), lanes::Load(bank.y, first)} {}
+
+  HWY_INLINE void Step(Vector a0, Vector a1, double* x, double* y) {
+    state = after.After(state, a0, a1);
+    hn::Store(state.x, Doubles(), x + first);
+    hn::Store(state.y, Doubles(), y + first);
   }
-
-  void step(Vector a0, Vector a1) {
-    const Vector x_forced = hn::Add(hn::Mul(x_start, a0), hn::Mul(x_end, a1));
-    const Vector y_forced = hn::Add(hn::Mul(y_start, a0), hn::Mul(y_end, a1));
-    const Vector x1 = hn::Sub(hn::Add(hn::Mul(xx, x), hn::Mul(xy, y)), x_forced);
-    y = hn::Sub(hn::Sub(hn::Mul(yy, y), hn::Mul(xy, x)), y_forced);
-    x = x1;
+  HWY_INLINE void Store(OscillatorBank& bank) const {
+    lanes::Store(state.x, bank.x, first);
+    lanes::Store(state.y, bank.y, first);
   }
 };
 
 void Advance(OscillatorBank& bank, const double* ground, std::size_t from, std::size_t to,
              double* const* x, double* const* y) {
   constexpr std::size_t stretch = 64;
-  alignas(64) double xs[stretch][bank_size], ys[stretch][bank_size];  // as the lanes leave them
+  // As the lanes leave them.
+  alignas(64) double xs[stretch][OscillatorBank::size], ys[stretch][OscillatorBank::size];
   const Doubles d;
   const std::size_t n = hn::Lanes(d);
   for (std::size_t begin = from; begin < to; begin += stretch) {
     const std::size_t count = to - begin < stretch ? to - begin : stretch;
-    for (std::size_t first = 0; first < bank_size; first += 2 * n) {
-      Lanes one(bank, first), other(bank, first + n);  // two, to hide each other's latency
+    for (std::size_t first = 0; first < OscillatorBank::size; first += 2 * n) {
+      BankLanes one(bank, first), other(bank, first + n);  // two, to hide each other's latency
       for (std::size_t t = 0; t < count; ++t) {
         const Vector a0 = hn::Set(d, ground[begin + t]), a1 = hn::Set(d, ground[begin + t + 1]);
-        one.step(a0, a1);
-        other.step(a0, a1);
-        hn::Store(one.x, d, xs[t] + first);
-        hn::Store(one.y, d, ys[t] + first);
-        hn::Store(other.x, d, xs[t] + first + n);
-        hn::Store(other.y, d, ys[t] + first + n);
+        one.Step(a0, a1, xs[t], ys[t]);
+        other.Step(a0, a1, xs[t], ys[t]);
       }
-      hn::Store(one.x, d, bank.x + first);
-      hn::Store(one.y, d, bank.y + first);
-      hn::Store(other.x, d, bank.x + first + n);
-      hn::Store(other.y, d, bank.y + first + n);
+      one.Store(bank);
+      other.Store(bank);
     }
-    for (std::size_t oscillator = 0; oscillator < bank_size; ++oscillator) {
+    for (std::size_t oscillator = 0; oscillator < OscillatorBank::size; ++oscillator) {
       if (x[oscillator] == nullptr) continue;
       double* const x_out = x[oscillator] + begin + 1;
       double* const y_out = y[oscillator] + begin + 1;
@@ -211,9 +204,7 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
-#include "glissade/core/oscillator.hpp"
 #include "glissade/core/scale.hpp"
 
 namespace glissade::building_detail {
@@ -253,18 +244,6 @@ float below(double value) {
 float above(double value) { return -below(-value); }
 
 }  // namespace
-
-void load(OscillatorBank& bank, std::size_t lane, const Oscillator& oscillator, double step_s) {
-  const double omega_radps = 2.0 * std::numbers::pi / oscillator.period_s;
-  const OscillatorStep step = oscillator_step(omega_radps * step_s, oscillator.damping_ratio);
-  bank.xx[lane] = step.xx;
-  bank.xy[lane] = step.xy;
-  bank.yy[lane] = step.yy;
-  bank.x_start[lane] = step.x_start;
-  bank.x_end[lane] = step.x_end;
-  bank.y_start[lane] = step.y_start;
-  bank.y_end[lane] = step.y_end;
-}
 
 void advance(OscillatorBank& bank, std::span<const double> ground_mps2, std::size_t from,
              std::size_t to, double* const* x, double* const* y) {

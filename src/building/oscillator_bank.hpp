@@ -2,29 +2,29 @@
 #pragma once
 
 #include <cstddef>
+#include <numbers>
 #include <span>
 
+#include "core/oscillator_lanes.hpp"
 #include "glissade/building/motion_table.hpp"
 
 namespace glissade::building_detail {
 
-/// Oscillators computed side by side in SIMD lanes. Each has the same bits as alone, on every
-/// target.
-constexpr std::size_t bank_size = 16;
-
 /// Number of elements that vectors may read past the end of an array.
 constexpr std::size_t padding = 16;
 
-struct OscillatorBank {
-  // Coefficients of the exact step (core/oscillator.hpp), and the states, per oscillator.
-  alignas(64) double xx[bank_size] = {}, xy[bank_size] = {}, yy[bank_size] = {};
-  alignas(64) double x_start[bank_size] = {}, x_end[bank_size] = {};
-  alignas(64) double y_start[bank_size] = {}, y_end[bank_size] = {};
-  alignas(64) double x[bank_size] = {}, y[bank_size] = {};
-};
+using oscillator_lanes::PerOscillator;
 
-/// Puts an oscillator, at rest, into a lane.
-void load(OscillatorBank& bank, std::size_t lane, const Oscillator& oscillator, double step_s);
+struct OscillatorBank {
+  static constexpr std::size_t size = oscillator_lanes::count;
+  oscillator_lanes::Steps steps;
+  PerOscillator x, y;
+
+  void set(std::size_t lane, const Oscillator& oscillator, double step_s) {
+    const double omega_radps = 2.0 * std::numbers::pi / oscillator.period_s;
+    steps.set(lane, oscillator_step(omega_radps * step_s, oscillator.damping_ratio));
+  }
+};
 
 /// Steps all oscillators from node `from` to node `to` of the ground, and writes the states at
 /// nodes from + 1 ... to at x[oscillator][node], y[oscillator][node].

@@ -69,20 +69,17 @@ std::vector<double> oscillator_response(const Oscillator& oscillator, double dt_
 
   std::vector<double> roof;
   roof.reserve((ground.size() + 1) * static_cast<std::size_t>(parts));
-  double x = 0.0, y = 0.0;
+  OscillatorState state;
   const auto advance = [&](double a0, double a1) {
-    const double x1 = step.xx * x + step.xy * y - (step.x_start * a0 + step.x_end * a1);
-    y = step.yy * y - step.xy * x - (step.y_start * a0 + step.y_end * a1);
-    x = x1;
-    roof.push_back(-(x + 2.0 * zeta * y));
+    state = step.after(state, a0, a1);
+    roof.push_back(-(state.x + 2.0 * zeta * state.y));
   };
   roof.push_back(0.0);  // at rest
   for_each_piece(ground, rings, parts, advance);
   if (rings) {
     const double step_s = dt_s / parts;
-    const std::size_t steps =
-        building_detail::ring_down_steps(oscillator, step_s, std::array{OscillatorState{x, y}},
-                                         velocity_range(roof, step_s), quiet_mps2, options);
+    const std::size_t steps = building_detail::ring_down_steps(
+        oscillator, step_s, std::array{state}, velocity_range(roof, step_s), quiet_mps2, options);
     for (std::size_t left = steps; left > 0; --left) advance(0.0, 0.0);
   }
   return roof;

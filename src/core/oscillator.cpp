@@ -65,11 +65,24 @@ OscillatorStep oscillator_step(double phase, double damping_ratio) {
       short_step ? power_series(phase, damping_ratio) : closed_form(phase, damping_ratio);
   return {.xx = 1.0 - s,
           .xy = g,
+          .yx = g,
           .yy = 1.0 - s - 2.0 * damping_ratio * g,
           .x_start = s - r,
           .x_end = r,
           .y_start = g - s / phase,
           .y_end = s / phase};
+}
+
+OscillatorStep oscillator_step(double phase, double damping_ratio, double mass, double root) {
+  const OscillatorStep own = oscillator_step(phase / root, damping_ratio / root);
+  return {.xx = own.xx,
+          .xy = own.xy * root,
+          .yx = own.yx / root,
+          .yy = own.yy,
+          .x_start = mass * own.x_start,
+          .x_end = mass * own.x_end,
+          .y_start = root * own.y_start,
+          .y_end = root * own.y_end};
 }
 
 Envelope free_vibration_envelope(double x, double y, double damping_ratio) {

@@ -29,15 +29,14 @@ double peak_roof_velocity_mps(double dt_s, std::span<const double> acceleration_
                               double period_s, double damping_ratio) {
   const double omega = 2.0 * std::numbers::pi / period_s;
   const OscillatorStep step = oscillator_step(omega * dt_s, damping_ratio);
-  double x = 0.0, y = 0.0, ground = 0.0, peak = 0.0;
+  OscillatorState state;
+  double ground = 0.0, peak = 0.0;
   for (std::size_t n = 0; n < acceleration_mps2.size(); ++n) {
     const double a = acceleration_mps2[n];
     const double b = n + 1 < acceleration_mps2.size() ? acceleration_mps2[n + 1] : 0.0;
-    const double x1 = step.xx * x + step.xy * y - (step.x_start * a + step.x_end * b);
-    y = -step.xy * x + step.yy * y - (step.y_start * a + step.y_end * b);
-    x = x1;
+    state = step.after(state, a, b);
     ground += 0.5 * dt_s * (a + b);
-    peak = std::max(peak, std::abs(ground + y / omega));
+    peak = std::max(peak, std::abs(ground + state.y / omega));
   }
   return peak;
 }

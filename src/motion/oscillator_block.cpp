@@ -9,69 +9,57 @@
 #include <hwy/foreach_target.h>  // before highway.h
 #include <hwy/highway.h>
 
+#include "core/oscillator_lanes-inl.hpp"
+
 HWY_BEFORE_NAMESPACE();
 namespace glissade::motion_detail::HWY_NAMESPACE {
 
+namespace lanes = oscillator_lanes::HWY_NAMESPACE;
 namespace hn = hwy::HWY_NAMESPACE;
-using Doubles = HWY_CAPPED(double, block_size / 2);
-using Vector = hn::Vec<Doubles>;
-
-Vector Lanes(const PerOscillator& numbers, std::size_t first) {
-  return hn::Load(Doubles(), numbers.values + first);
-}
-void Put(Vector lanes, PerOscillator& numbers, std::size_t first) {
-  hn::Store(lanes, Doubles(), numbers.values + first);
-}
+using lanes::Doubles, lanes::Vector;
 
 /// Some of a block's oscillators, in registers.
 struct Walk {
   std::size_t first;
-  Vector twice_zeta, bulge, xx, xy, yy, x_start, x_end, y_start, y_end;
-  Vector x, y, v, x1, y1, v1, peak;
+  Vector twice_zeta, bulge;
+  lanes::StepOfLanes after;
+  lanes::StateOfLanes now, next;
+  Vector v, v1, peak;
 
-  Walk(const OscillatorBlock& b, std::size_t first_oscillator) : first(first_oscillator) {
-    twice_zeta = hn::Set(Doubles(), 2.0 * b.zeta);
-    bulge = Lanes(b.bulge, first);
-    xx = Lanes(b.xx, first);
-    xy = Lanes(b.xy, first);
-    yy = Lanes(b.yy, first);
-    x_start = Lanes(b.x_start, first);
-    x_end = Lanes(b.x_end, first);
-    y_start = Lanes(b.y_start, first);
-    y_end = Lanes(b.y_end, first);
-    x = Lanes(b.now.x, first);
-    y = Lanes(b.now.y, first);
-    v = Lanes(b.now.v, first);
-    x1 = x, y1 = y, v1 = v;
-    peak = Lanes(b.peak, first);
-  }
+  Walk(const OscillatorBlock& b, std::size_t first_oscillator)
+      : first(first_oscillator),
+        twice_zeta(hn::Set(Doubles(), 2.0 * b.zeta)),
+        bulge(lanes::Load(b.bulge, first)),
+        after(b.steps, first),
+        now{lanes::Load(b.now.x, first), lanes::Load(b.now.y, first)},
+        next(now),
+        v(lanes::Load(b.now.v, first)),
+        v1(v),
+        peak(lanes::Load(b.peak, first)) {}
 
   /// Steps to the end of the interval; returns a positive number if the interval must be searched.
   /// Inside it |x| exceeds its end values by at most h^2/8 max|v|; v, a free vibration there,
   /// exceeds its end values by at most 15 % if h <= 1. And y must pass zero, once or twice.
   Vector step(Vector a0, Vector a1) {
-    const Vector x_forced = hn::Add(hn::Mul(x_start, a0), hn::Mul(x_end, a1));
-    const Vector y_forced = hn::Add(hn::Mul(y_start, a0), hn::Mul(y_end, a1));
-    x1 = hn::Sub(hn::Add(hn::Mul(xx, x), hn::Mul(xy, y)), x_forced);
-    y1 = hn::Sub(hn::Sub(hn::Mul(yy, y), hn::Mul(xy, x)), y_forced);
-    v1 = hn::Neg(hn::Add(hn::Add(x1, hn::Mul(twice_zeta, y1)), a1));
-    const Vector x_ends = hn::Max(hn::Abs(x1), hn::Abs(x));
+    next = after.After(now, a0, a1);
+    v1 = hn::Neg(hn::Add(hn::Add(next.x, hn::Mul(twice_zeta, next.y)), a1));
+    const Vector x_ends = hn::Max(hn::Abs(next.x), hn::Abs(now.x));
     peak = hn::Max(peak, x_ends);
     const Vector v_ends = hn::Max(hn::Abs(v1), hn::Abs(v));
     const Vector excess = hn::Sub(hn::Add(x_ends, hn::Mul(bulge, v_ends)), peak);
-    return hn::Min(excess, hn::Neg(hn::Min(hn::Mul(y1, y), hn::Mul(v1, v))));
+    return hn::Min(excess, hn::Neg(hn::Min(hn::Mul(next.y, now.y), hn::Mul(v1, v))));
   }
 
-  void go_on() { x = x1, y = y1, v = v1; }
+  void go_on() { now = next, v = v1; }
 
   void store(OscillatorBlock& b) const {
-    Put(x, b.now.x, first);
-    Put(y, b.now.y, first);
-    Put(v, b.now.v, first);
-    Put(x1, b.next.x, first);
-    Put(y1, b.next.y, first);
-    Put(v1, b.next.v, first);
-    Put(peak, b.peak, first);
+    lanes::Store(now.x, b.now.x, first);
+    lanes::Store(now.y, b.now.y, first);
+    lanes::Store(v, b.now.v, first);
+    lanes::Store(next.x, b.next.x, first);
+    lanes::Store(next.y, b.next.y, first);
+    lanes::Store(v1, b.next.v, first);
+    lanes::Store(peak, b.peak, first);
   }
 };
 
@@ -88,8 +76,8 @@ void Advance(OscillatorBlock& block, std::size_t count, const double* ground, st
         one.store(block);
         other.store(block);
         look_inside(block, first, first + 2 * n, ground[i], ground[i + 1]);
-        one.peak = Lanes(block.peak, one.first);
-        other.peak = Lanes(block.peak, other.first);
+        one.peak = lanes::Load(block.peak, one.first);
+        other.peak = lanes::Load(block.peak, other.first);
       }
       one.go_on();
       other.go_on();

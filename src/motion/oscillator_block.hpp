@@ -4,30 +4,26 @@
 #include <cstddef>
 #include <span>
 
+#include "core/oscillator_lanes.hpp"
+
 namespace glissade::motion_detail {
 
-constexpr std::size_t block_size = 16;
-
-/// One number for each oscillator of a block.
-struct alignas(64) PerOscillator {
-  double values[block_size] = {};
-  double& operator[](std::size_t k) { return values[k]; }
-  double operator[](std::size_t k) const { return values[k]; }
-};
+using oscillator_lanes::PerOscillator;
 
 struct OscillatorStates {
   PerOscillator x, y, v;
 };
 
-/// Oscillators computed side by side in SIMD lanes, in the scaled state of core/oscillator.hpp,
-/// with v = dy/dtau = -(x + 2 zeta y + a). Each has the same bits as alone, on every target.
+/// Oscillators side by side, in the scaled state of core/oscillator.hpp, with
+/// v = dy/dtau = -(x + 2 zeta y + a).
 struct OscillatorBlock {
+  static constexpr std::size_t size = oscillator_lanes::count;
   double zeta = 0.0;
   PerOscillator h;      ///< omega dt
   PerOscillator bulge;  ///< bound of the excess of |x| inside an interval over its ends, per max|v|
-  PerOscillator xx, xy, yy, x_start, x_end, y_start, y_end;  ///< the exact step
-  OscillatorStates now, next;                                ///< at start and end of an interval
-  PerOscillator peak;                                        ///< largest |x| so far
+  oscillator_lanes::Steps steps;
+  OscillatorStates now, next;  ///< at start and end of an interval
+  PerOscillator peak;          ///< largest |x| so far
 };
 
 /// Searches a peak inside the interval from `now` to `next`, of oscillators first ... last - 1,

@@ -32,8 +32,7 @@ struct OscillatorInterval {
     if (tau <= 0.0) return start;
     const OscillatorStep to = oscillator_step(tau, zeta);
     const double a = std::lerp(a_start, a_end, tau / h);
-    const double x = to.xx * start.x + to.xy * start.y - (to.x_start * a_start + to.x_end * a);
-    const double y = -to.xy * start.x + to.yy * start.y - (to.y_start * a_start + to.y_end * a);
+    const auto [x, y] = to.after({start.x, start.y}, a_start, a);
     return {x, y, -(x + 2.0 * zeta * y + a)};
   }
 
@@ -61,20 +60,12 @@ struct OscillatorInterval {
   }
 };
 
-using motion_detail::block_size;
 using motion_detail::OscillatorBlock;
 
 void load(OscillatorBlock& block, std::size_t k, double h) {
-  const OscillatorStep step = oscillator_step(h, block.zeta);
   block.h[k] = h;
   block.bulge[k] = h <= 1.0 ? 0.15 * h * h : 0.0;
-  block.xx[k] = step.xx;
-  block.xy[k] = step.xy;
-  block.yy[k] = step.yy;
-  block.x_start[k] = step.x_start;
-  block.x_end[k] = step.x_end;
-  block.y_start[k] = step.y_start;
-  block.y_end[k] = step.y_end;
+  block.steps.set(k, oscillator_step(h, block.zeta));
 }
 
 /// An oscillator is searched if by the result of the lanes its peak may have increased.
@@ -151,8 +142,8 @@ std::vector<double> pseudo_acceleration_spectrum(double dt_s,
     if (periods_s[i] > 0.0) groups[substeps_for(dt_s, periods_s[i])].push_back(i);
   }
   for (const auto& [substeps, group] : groups) {
-    for (std::size_t first = 0; first < group.size(); first += block_size) {
-      const std::size_t count = std::min(block_size, group.size() - first);
+    for (std::size_t first = 0; first < group.size(); first += OscillatorBlock::size) {
+      const std::size_t count = std::min(OscillatorBlock::size, group.size() - first);
       OscillatorBlock block{.zeta = damping_ratio};
       for (std::size_t k = 0; k < count; ++k) {
         load(block, k, 2.0 * std::numbers::pi * dt_s / (periods_s[group[first + k]] * substeps));

@@ -29,12 +29,13 @@ OrbitPoint operator-(const OrbitPoint& a, const OrbitPoint& b) { return {a.x - b
 OrbitPoint operator*(double k, const OrbitPoint& a) { return {k * a.x, k * a.y}; }
 double square(const OrbitPoint& p) { return p.x * p.x + p.y * p.y; }
 
-/// An oscillator in plan: omega^2 u, and the velocity by omega.
+/// An oscillator in plan: along both axes.
 struct PlanState {
-  OrbitPoint place{0.0, 0.0}, velocity{0.0, 0.0};
-  PlanState after(const OscillatorStep& s, const OrbitPoint& a0, const OrbitPoint& a1) const {
-    return {s.xx * place + s.xy * velocity - (s.x_start * a0 + s.x_end * a1),
-            s.yy * velocity - s.xy * place - (s.y_start * a0 + s.y_end * a1)};
+  OscillatorState first, second;
+  OrbitPoint place() const { return {first.x, second.x}; }
+  OrbitPoint velocity() const { return {first.y, second.y}; }
+  PlanState after(const OscillatorStep& step, const OrbitPoint& a0, const OrbitPoint& a1) const {
+    return {step.after(first, a0.x, a1.x), step.after(second, a0.y, a1.y)};
   }
 };
 
@@ -44,7 +45,10 @@ class RoundMap {
  public:
   explicit RoundMap(const std::vector<PlanState>& path) {
     double xx = 0.0, xy = 0.0, yy = 0.0;
-    for (const auto& [p, velocity] : path) xx += p.x * p.x, xy += p.x * p.y, yy += p.y * p.y;
+    for (const PlanState& state : path) {
+      const OrbitPoint p = state.place();
+      xx += p.x * p.x, xy += p.x * p.y, yy += p.y * p.y;
+    }
     constexpr double least = 1e-9;  // of a path on a line
     const double more = least * (xx + yy);
     x_ = 1.0 / std::sqrt(xx + more);
@@ -64,7 +68,7 @@ double inner_radius(const std::vector<PlanState>& path, const RoundMap& round) {
   constexpr int directions = 32;
   constexpr std::size_t some = 8;
   std::vector<OrbitPoint> points;
-  for (std::size_t i = 0; i < path.size(); i += some) points.push_back(round(path[i].place));
+  for (std::size_t i = 0; i < path.size(); i += some) points.push_back(round(path[i].place()));
   double inner = std::numeric_limits<double>::infinity(), largest = 0.0;
   for (int k = 0; k < directions; ++k) {
     const double angle = std::numbers::pi * k / directions, c = std::cos(angle),
@@ -108,11 +112,11 @@ PlanPath outer_path(const Motion& motion, double period_s, double damping_ratio)
     const double push =
         phase * std::sqrt(std::max(square(round(from)), square(round(ground(i + 1)))));
     PlanState state = path[i];
-    const double swing = std::sqrt(square(round(state.place)) + square(round(state.velocity)));
+    const double swing = std::sqrt(square(round(state.place())) + square(round(state.velocity())));
     if (swing + push < inner) continue;
     for (double part = 0.0; part < parts; ++part) {
       state = state.after(part_step, from + part * rise, from + (part + 1.0) * rise);
-      if (square(round(state.place)) >= inner * inner) outer.push_back(state.place);
+      if (square(round(state.place())) >= inner * inner) outer.push_back(state.place());
     }
   }
   return outer;

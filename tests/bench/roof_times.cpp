@@ -12,7 +12,7 @@
 namespace glissade::bench {
 namespace {
 
-using building_detail::bank_size;
+constexpr std::size_t bank_size = building_detail::OscillatorBank::size;
 
 constexpr std::size_t samples = 8000;
 
@@ -49,7 +49,7 @@ RoofTimes roof_times() {
   }
   building_detail::OscillatorBank bank;
   for (std::size_t k = 0; k < bank_size; ++k)
-    building_detail::load(bank, k, oscillators[k][0].oscillator(), ground->step_s());
+    bank.set(k, oscillators[k][0].oscillator(), ground->step_s());
   times.filter_ns = per_node_and_oscillator_ns([&] {
     building_detail::advance(bank, ground->acceleration_mps2(), 0, samples - 1, x.data(), y.data());
   });

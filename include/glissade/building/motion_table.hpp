@@ -8,6 +8,7 @@
 
 #include "glissade/building/ground_table.hpp"
 #include "glissade/building/roof_motion.hpp"
+#include "glissade/core/oscillator.hpp"
 
 namespace glissade {
 
@@ -34,11 +35,6 @@ struct Quartic {
 
 /// Raises `largest` >= 0 to the largest value of a quartic on its interval, to 1e-12 of it.
 void raise_to_largest(const Quartic& quartic, double& largest);
-
-/// Scaled state (core/oscillator.hpp).
-struct OscillatorState {
-  double x, y;
-};
 
 /// Of several modes at the nodes, each times its participation: absolute acceleration and its
 /// derivative in time. Their displacement and velocity relative to the ground are MotionTable::x

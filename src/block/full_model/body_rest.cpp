@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Block and building while the block sticks.
 #include "block/full_model/body.hpp"
-#include "block/full_model/chord_deviation.hpp"
+#include "block/full_model/resting_axis.hpp"
 
 namespace glissade::block_detail {
 namespace {
@@ -94,64 +94,6 @@ double FullModelBody::rest(const ExcitationPiece& piece) {
   return fraction;
 }
 
-namespace {
-
-/// The two axes of the building side by side over whole pieces at rest: s the spring forces, E and
-/// chord deviations as in ChordDeviation. A rigid axis has no state, and E = mass a_ground.
-struct RestSteps {
-  double xx[2], xy[2], yx[2], yy[2], x_start[2], x_end[2], y_start[2], y_end[2];
-  double twice_zeta[2], phase[2], carried[2], per_left[2];
-  double per_mass;
-
-  RestSteps(const std::array<BuildingAxis, 2>& axes, double mass) : per_mass(1.0 / mass) {
-    for (std::size_t n = 0; n < 2; ++n) {
-      const BuildingAxis::RestStep& c = axes[n].rest_step();
-      xx[n] = c.xx;
-      xy[n] = c.xy;
-      yx[n] = c.yx;
-      yy[n] = c.yy;
-      x_start[n] = c.x_start;
-      x_end[n] = c.x_end;
-      y_start[n] = c.y_start;
-      y_end[n] = c.y_end;
-      twice_zeta[n] = axes[n].twice_zeta();
-      phase[n] = axes[n].phase();
-      carried[n] = axes[n].rigid() ? mass : 0.0;
-      const double left = 1.0 - (phase[n] + twice_zeta[n]) * phase[n] * per_mass;
-      per_left[n] = left > 0.0 ? 1.0 / left : never;
-    }
-  }
-};
-
-struct RestNode {
-  double s[2], y[2], ground[2], e[2];
-};
-
-RestNode next_node(const RestSteps& c, const RestNode& now, double ground_1, double ground_2) {
-  RestNode next;
-  next.ground[0] = ground_1;
-  next.ground[1] = ground_2;
-  for (std::size_t n = 0; n < 2; ++n) {
-    const double a0 = now.ground[n], a1 = next.ground[n];
-    next.s[n] = c.xx[n] * now.s[n] + c.xy[n] * now.y[n] - (c.x_start[n] * a0 + c.x_end[n] * a1);
-    next.y[n] = c.yy[n] * now.y[n] - c.yx[n] * now.s[n] - (c.y_start[n] * a0 + c.y_end[n] * a1);
-    next.e[n] = c.carried[n] * a1 - (c.twice_zeta[n] * next.y[n] + next.s[n]);
-  }
-  return next;
-}
-
-std::array<ChordDeviation, 2> chord_deviations(const RestSteps& c, const RestNode& now,
-                                               const RestNode& next) {
-  const auto of = [&](std::size_t n) {
-    return ChordDeviation(c.phase[n], c.twice_zeta[n], c.per_mass, c.per_left[n],
-                          std::abs(now.e[n] * c.per_mass - now.ground[n]), std::abs(now.y[n]),
-                          std::abs(next.ground[n] - now.ground[n]));
-  };
-  return {of(0), of(1)};
-}
-
-}  // namespace
-
 double FullModelBody::friction_margin(double a1, double a2, double w) const {
   const Load load = contact_.loading().at(a1, a2, w);
   return load.normal - length(scaled(load.drive, per_friction_));
@@ -197,59 +139,39 @@ std::size_t FullModelBody::rest_over_on_modes(const Nodes& nodes, std::size_t fr
 /// than at the ends.
 template <class Nodes>
 std::size_t FullModelBody::rest_over(const Nodes& nodes, std::size_t from, std::size_t to) {
-  const FrictionEllipse& friction = contact_.friction_at_rest();
-  if (axes_[0].yielding() || axes_[1].yielding() || friction.smallest() == 0.0) return from;
+  if (axes_[0].yielding() || axes_[1].yielding() || contact_.friction_at_rest().smallest() == 0.0)
+    return from;
   if (!rest_maps_.empty()) return rest_over_on_modes(nodes, from, to);
+  using BothAxes = std::array<RestingAxis::Node, 2>;
   const double mass = 1.0 + mass_ratio_, per_mass = 1.0 / mass;
-  const RestSteps steps(axes_, mass);
-  const auto margin = [&](const RestNode& node, double w) {
-    return friction_margin(node.e[0] * per_mass, node.e[1] * per_mass, w);
+  RestingAxis first(axes_[0], mass), second(axes_[1], mass);
+  const auto margin = [&](const BothAxes& at, double w) {
+    return friction_margin(at[0].e * per_mass, at[1].e * per_mass, w);
   };
-  RestNode now;
-  double yield_from[2], yield_left[2];
-  for (std::size_t n = 0; n < 2; ++n) {
-    const BuildingAxis& axis = axes_[n];
-    now.s[n] = axis.rigid() ? 0.0 : axis.spring();
-    now.y[n] = axis.y();
-    now.ground[n] = nodes.ground(n, from);
-    now.e[n] = axis.resisting(now.ground[n]);
-    yield_from[n] = now.s[n];
-    yield_left[n] = axis.yield_left();
-  }
-  const auto hold = [&](const RestNode& node) {
-    for (std::size_t n = 0; n < 2; ++n)
-      if (!axes_[n].rigid()) axes_[n].rest_to(node.s[n], node.y[n]);
+  const auto hold = [&](const BothAxes& at) {
+    first.hold(at[0]);
+    second.hold(at[1]);
   };
-  const bool yields = axes_[0].yields() || axes_[1].yields();
+
+  BothAxes now{first.now(nodes.ground(0, from)), second.now(nodes.ground(1, from))};
   double before = margin(now, nodes.w(from));
   std::size_t i = from;
   for (; i < to; ++i) {
-    const RestNode next = next_node(steps, now, nodes.ground(0, i + 1), nodes.ground(1, i + 1));
-    const std::array<ChordDeviation, 2> deviation = chord_deviations(steps, now, next);
+    const BothAxes next{first.after(now[0], nodes.ground(0, i + 1)),
+                        second.after(now[1], nodes.ground(1, i + 1))};
+    const std::array deviation{first.deviation(now[0], next[0]), second.deviation(now[1], next[1])};
     const double after = margin(next, nodes.w(i + 1));
     const double needed = (deviation[0].e + deviation[1].e) * per_mass * margin_per_a_ +
                           nodes.w_deviation(i) * margin_per_w_;
-    if (!(std::min(before, after) > needed * (1.0 + 1e-9))) break;
-    if (yields) {
-      bool may_yield = false;
-      for (std::size_t n = 0; n < 2; ++n)
-        may_yield |=
-            std::max(std::abs(now.s[n] - yield_from[n]), std::abs(next.s[n] - yield_from[n])) +
-                deviation[n].s >=
-            yield_left[n];
-      if (may_yield) break;
-    }
+    const bool sticks = std::min(before, after) > needed * (1.0 + 1e-9);
+    if (!sticks || first.may_yield(now[0], next[0], deviation[0]) ||
+        second.may_yield(now[1], next[1], deviation[1]))
+      break;
     for (std::size_t n = 0; n < 2; ++n) {
-      const double moved = yields ? std::abs(axes_[n].x() - yield_from[n]) : 0.0;
-      const double e = std::max(std::abs(now.e[n]), std::abs(next.e[n])) + deviation[n].e,
-                   x = std::max(std::abs(now.s[n]), std::abs(next.s[n])) + deviation[n].s + moved;
-      if (!(e > peaks_.shear[n] || x > peaks_.x[n])) continue;
+      const RestingAxis& axis = n == 0 ? first : second;
+      if (!axis.may_exceed(peaks_.shear[n], peaks_.x[n], now[n], next[n], deviation[n])) continue;
       hold(now);
-      for (std::size_t k = 0; k < 2; ++k) {
-        yield_from[k] = now.s[k];
-        yield_left[k] = axes_[k].yield_left();
-      }
-      raise_peaks(n, axes_[n].motion(nodes.dt_s(), {now.ground[n], next.ground[n]}, mass), 1.0);
+      raise_peaks(n, axes_[n].motion(nodes.dt_s(), {now[n].ground, next[n].ground}, mass), 1.0);
     }
     now = next;
     before = after;

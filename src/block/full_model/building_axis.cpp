@@ -58,16 +58,7 @@ BuildingAxis::BuildingAxis(const Modes& modes, const Yielding& yielding, double 
     yield_ = yielding.yield_acceleration_mps2;
   }
   phase_ = omega_radps() * piece_s;
-  const double root = std::sqrt(stuck_mass_);
-  const OscillatorStep step = oscillator_step(phase_ / root, modes[0].damping_ratio / root);
-  rest_ = {step.xx,
-           step.xy * root,
-           step.xy / root,
-           step.yy,
-           stuck_mass_ * step.x_start,
-           stuck_mass_ * step.x_end,
-           root * step.y_start,
-           root * step.y_end};
+  rest_ = oscillator_step(phase_, modes[0].damping_ratio, stuck_mass_, std::sqrt(stuck_mass_));
 }
 
 double BuildingAxis::resisting(double ground) const {

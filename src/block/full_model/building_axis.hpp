@@ -123,7 +123,7 @@ class BuildingAxis {
   /// Applies the event that next_yield() found.
   void yield();
 
-  /// Sets spring force and state of one mass after whole pieces of rest (RestSteps).
+  /// Sets spring force and state of one mass after whole pieces of rest (RestingAxis).
   void rest_to(double spring_force, double y) {
     const double change = spring_force - spring();
     modes_[0].x = yields_ ? x() + change : spring_force;
@@ -141,13 +141,8 @@ class BuildingAxis {
   /// |a| never exceeds this again while the block rests and the ground is at rest.
   double largest_to_come_mps2() const;
 
-  /// Coefficients of a piece at rest, of one mass, in the spring force s and y: exact at its end
-  /// (Nigam & Jennings 1969, core/oscillator.hpp) while the spring does not yield.
-  struct RestStep {
-    double xx = 0.0, xy = 0.0, yx = 0.0, yy = 0.0;
-    double x_start = 0.0, x_end = 0.0, y_start = 0.0, y_end = 0.0;
-  };
-  const RestStep& rest_step() const { return rest_; }
+  /// A piece at rest, of one mass, in the spring force s and y, while the spring does not yield.
+  const OscillatorStep& rest_step() const { return rest_; }
   double phase() const { return phase_; }
 
  private:
@@ -165,7 +160,7 @@ class BuildingAxis {
   bool yields_ = false;
   double hardening_ = 1.0, yield_ = 0.0;  // hardening ratio; yield force
   double stuck_mass_ = 1.0, phase_ = 0.0;
-  RestStep rest_;
+  OscillatorStep rest_;
 
   double z_ = 0.0;
   int yield_direction_ = 0;  // +1, -1: direction of yielding

@@ -145,7 +145,7 @@ void LaneHistory::rest_on_springs(HistoryState& state) {
       const SpringStep& step = spring_steps_[n][yields ? 1 : 0];
       const SpringStep::Begin begin{
           roof[n][0], {factor[n] * ground_.ground(n, i), factor[n] * ground_.ground(n, i + 1)}};
-      const AxisState from = roof[n][0], to = next[n][0] = step.end(begin);
+      const OscillatorState from = roof[n][0], to = next[n][0] = step.end(begin);
       begin_a[n] = -(twice_zeta[n] * from.y + from.x) * c.per_mass;
       end_a[n] = -(twice_zeta[n] * to.y + to.x) * c.per_mass;
       const double a_left = step.a_deviation(begin), x_left = step.x_deviation(begin);

@@ -123,7 +123,7 @@ double RestTable::tabulate_axis(std::size_t n, const GroundNodes& ground, const 
     add(of_begin, 1.0, by_mode.back().of_begin);
     add(of_end, 1.0, by_mode.back().of_end);
   }
-  std::array<AxisState, most_modes> now{};  // from rest at the first sample
+  std::array<OscillatorState, most_modes> now{};  // from rest at the first sample
   for (std::size_t i = 0; i <= end; ++i) {
     const double a0 = ground.ground(n, i), a1 = ground.ground(n, i + 1);
     Row row{};
@@ -131,12 +131,10 @@ double RestTable::tabulate_axis(std::size_t n, const GroundNodes& ground, const 
     add(row, a1, of_end);
     for (std::size_t m = 0; m < by_mode.size(); ++m) {
       const ModeRows& mode = by_mode[m];
-      AxisState& state = now[m];
+      OscillatorState& state = now[m];
       add(row, state.x, mode.of_x);
       add(row, state.y, mode.of_y);
-      const OscillatorStep& s = mode.step;
-      state = {s.xx * state.x + s.xy * state.y - (s.x_start * a0 + s.x_end * a1),
-               s.yy * state.y - s.xy * state.x - (s.y_start * a0 + s.y_end * a1)};
+      state = mode.step.after(state, a0, a1);
     }
     std::ranges::copy(row, rows.begin() + static_cast<std::ptrdiff_t>((2 * i + n) * row_terms));
     own_a[n][i] = row[0];

@@ -37,7 +37,7 @@ std::size_t FirstRelease(const RestMotion& motion, const Constants<double>& c, d
     for (const RestMotion::Axis& axis : motion.axis) {
       if (!motion.springs) break;
       const RestMotion::Axis::Spring& spring = axis.spring;
-      const AxisState& free = axis.free[0].state;
+      const OscillatorState& free = axis.free[0].state;
       const auto x = number(axis.factor) * hn::LoadU(d, spring.x + k) +
                      (hn::LoadU(d, spring.x_part + k) * number(free.x) +
                       hn::LoadU(d, spring.y_part + k) * number(free.y));

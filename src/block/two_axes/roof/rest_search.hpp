@@ -16,7 +16,7 @@ struct RestMotion {
     struct Free {
       const double* x_part;  ///< FreeVibration's
       const double* y_part;
-      AxisState state;  ///< at the first node
+      OscillatorState state;  ///< at the first node
     };
     std::array<Free, most_modes> free;
     std::size_t count;

@@ -26,7 +26,7 @@ RoofAtRest::RoofAtRest(const SceneConstants& constants, RoofKind roof, const Gro
   for (std::size_t n = 0; n < 2; ++n) {
     if (roof_ == RoofKind::coupled_modes) beside[n] = table_.rest[n].vibrations(beside[n]);
     for (std::size_t k = 0; k < table_.free[n].size() && !after_record_; ++k) {
-      const AxisState own = table_.state(n, base_, k);
+      const OscillatorState own = table_.state(n, base_, k);
       beside[n][k].x -= factor(n) * own.x;
       beside[n][k].y -= factor(n) * own.y;
     }
@@ -63,7 +63,7 @@ RoofState RoofAtRest::in_table(std::size_t node) const {
   RoofState state = free_at(node);
   for (std::size_t n = 0; n < 2 && !after_record_; ++n)
     for (std::size_t k = 0; k < table_.free[n].size(); ++k) {
-      const AxisState own = table_.state(n, node, k);
+      const OscillatorState own = table_.state(n, node, k);
       state[n][k].x += factor(n) * own.x;
       state[n][k].y += factor(n) * own.y;
     }
@@ -123,9 +123,10 @@ std::array<RoofAtRest::TileNodes, 2> RoofAtRest::accelerations(std::size_t node)
     for (std::size_t i = 0; i < a[n].size() && !after_record_; ++i)
       a[n][i] = factor(n) * table_.a[n][node + i];
     for (const FreeVibration& free : table_.free[n]) {
-      const AxisState& from = free_[n][static_cast<std::size_t>(&free - table_.free[n].data())];
+      const OscillatorState& from =
+          free_[n][static_cast<std::size_t>(&free - table_.free[n].data())];
       for (std::size_t i = 0; i < a[n].size(); i += 8) {
-        const AxisState state = free.after(node + i - base_, from);
+        const OscillatorState state = free.after(node + i - base_, from);
         for (std::size_t k = 0; k < 8; ++k)
           a[n][i + k] += free.x_part()[k] * state.x + free.y_part()[k] * state.y;
       }

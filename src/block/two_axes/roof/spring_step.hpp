@@ -15,10 +15,10 @@ class SpringStep {
   SpringStep(double phase, double stiffness, double twice_zeta, double per_mass);
 
   struct Begin {
-    AxisState state;
+    OscillatorState state;
     std::array<double, 2> ground;  ///< at both ends
   };
-  AxisState end(const Begin& b) const { return {value(to_x_, b), value(to_y_, b)}; }
+  OscillatorState end(const Begin& b) const { return {value(to_x_, b), value(to_y_, b)}; }
   /// By how much the roof's acceleration, and x and y, leave their chords, at most.
   double a_deviation(const Begin& b) const { return bound(a_deviation_, b); }
   double x_deviation(const Begin& b) const { return bound(x_deviation_, b); }

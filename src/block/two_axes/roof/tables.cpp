@@ -53,8 +53,9 @@ FreeVibration::FreeVibration(double omega_radps, double twice_zeta, double per_m
                              std::size_t steps)
     : twice_zeta_(twice_zeta), per_mass_(per_mass), root_mass_(1.0 / std::sqrt(per_mass)) {
   const double phase = omega_radps * dt_s / root_mass_, zeta = 0.5 * twice_zeta_ / root_mass_;
-  const OscillatorStep s = oscillator_step(phase, zeta);
-  repeat({s.xx, s.xy * root_mass_, -s.xy / root_mass_, s.yy}, steps);
+  const OscillatorStep s =
+      oscillator_step(omega_radps * dt_s, 0.5 * twice_zeta, 1.0 / per_mass, root_mass_);
+  repeat({s.xx, s.xy, -s.yx, s.yy}, steps);
   deviation_ = 0.125 * phase * phase * (1.0 + 4.0 * zeta) * (1.0 + 4.0 * zeta) * between_nodes;
 }
 
@@ -85,13 +86,13 @@ void FreeVibration::repeat(const Matrix& one, std::size_t steps) {
   }
 }
 
-AxisState FreeVibration::after(std::size_t steps, const AxisState& from) const {
+OscillatorState FreeVibration::after(std::size_t steps, const OscillatorState& from) const {
   const Matrix &f = far_[steps / tile_nodes], &n = near_[steps % tile_nodes];
   const double x = f.xx * from.x + f.xy * from.y, y = f.yx * from.x + f.yy * from.y;
   return {n.xx * x + n.xy * y, n.yx * x + n.yy * y};
 }
 
-double FreeVibration::bound(const AxisState& s) const {
+double FreeVibration::bound(const OscillatorState& s) const {
   const double zeta = 0.5 * twice_zeta_ / root_mass_;
   const Envelope envelope = free_vibration_envelope(s.x * per_mass_, s.y / root_mass_, zeta);
   return (1.0 + 2.0 * zeta) * envelope.amplitude;
@@ -117,18 +118,15 @@ double RestTable::tabulate_axis(std::size_t n, const GroundNodes& ground,
   const double omega = n == 0 ? c.omega_1 : c.omega_2;
   const double twice_zeta = n == 0 ? c.twice_zeta_1 : c.twice_zeta_2;
   free[n].emplace_back(omega, twice_zeta, c.per_mass, ground.dt_s, quiet);
-  const double root = 1.0 / std::sqrt(c.per_mass), mass = 1.0 / c.per_mass,
-               phase = omega * ground.dt_s;
-  const OscillatorStep s = oscillator_step(phase / root, 0.5 * twice_zeta / root);
-  const double xy = s.xy * root, yx = s.xy / root;
-  const double x0 = mass * s.x_start, x1 = mass * s.x_end, y0 = root * s.y_start,
-               y1 = root * s.y_end;
+  const double phase = omega * ground.dt_s;
+  const OscillatorStep step =
+      oscillator_step(phase, 0.5 * twice_zeta, 1.0 / c.per_mass, 1.0 / std::sqrt(c.per_mass));
   const double per_left = 1.0 / (1.0 - (phase + twice_zeta) * phase * c.per_mass);
   // A table made again overwrites all but the first node and the padding, which are zero.
   x[n].resize(quiet + 1 + padding);
   y[n].resize(quiet + 1);
   own_a[n].resize(quiet + 1 + padding);
-  AxisState now;  // from rest at the first sample, whatever its acceleration
+  OscillatorState now;  // from rest at the first sample, whatever its acceleration
   const double* g = ground.a[n].data();
   double largest = 0.0;  // departure in a tile
   for (std::size_t i = 0; i < quiet; ++i) {
@@ -138,8 +136,7 @@ double RestTable::tabulate_axis(std::size_t n, const GroundNodes& ground,
     largest = std::max(largest, departs.e * c.per_mass);
     if (i % tile_nodes == tile_nodes - 1 || i + 1 == quiet)
       deviation[n][i / tile_nodes] = std::exchange(largest, 0.0);
-    now = {s.xx * now.x + xy * now.y - (x0 * g[i] + x1 * g[i + 1]),
-           s.yy * now.y - yx * now.x - (y0 * g[i] + y1 * g[i + 1])};
+    now = step.after(now, g[i], g[i + 1]);
     x[n][i + 1] = now.x;
     y[n][i + 1] = now.y;
     own_a[n][i + 1] = free[n][0].acceleration(now);

@@ -8,6 +8,7 @@
 
 #include "block/two_axes/lane_states.hpp"
 #include "glissade/block/on_building.hpp"
+#include "glissade/core/oscillator.hpp"
 
 namespace glissade::block_detail::two_axes {
 
@@ -43,13 +44,8 @@ struct GroundNodes {
   double vertical(std::size_t node) const { return node < quiet ? nodes[4 * node + 2] : 0.0; }
 };
 
-/// Scaled state of one axis of a building.
-struct AxisState {
-  double x = 0.0, y = 0.0;
-};
-
 /// Of a building, by axis and mode: ModeMotion, or of one mass LaneMotion's.
-using RoofState = std::array<std::array<AxisState, most_modes>, 2>;
+using RoofState = std::array<std::array<OscillatorState, most_modes>, 2>;
 
 /// The free vibration of one axis with the block at rest on it, over whole steps; of several modes
 /// a part of it (RestModes).
@@ -59,7 +55,7 @@ class FreeVibration {
                 std::size_t steps);
   /// x + i y = z, with z' = rate z; x is the roof's acceleration.
   FreeVibration(std::complex<double> rate_per_s, double dt_s, std::size_t steps);
-  AxisState after(std::size_t steps, const AxisState& from) const;
+  OscillatorState after(std::size_t steps, const OscillatorState& from) const;
   /// The roof's acceleration after 0 ... 7 steps: x[k] from.x + y[k] from.y.
   const std::array<double, 8>& x_part() const { return x_part_; }
   const std::array<double, 8>& y_part() const { return y_part_; }
@@ -67,8 +63,10 @@ class FreeVibration {
   const std::array<double, 8>& own_x_part() const { return own_x_part_; }
   const std::array<double, 8>& own_y_part() const { return own_y_part_; }
   /// No |acceleration| to come is larger.
-  double bound(const AxisState& state) const;
-  double acceleration(const AxisState& s) const { return -(twice_zeta_ * s.y + s.x) * per_mass_; }
+  double bound(const OscillatorState& state) const;
+  double acceleration(const OscillatorState& s) const {
+    return -(twice_zeta_ * s.y + s.x) * per_mass_;
+  }
   /// How far an acceleration of this amplitude leaves its chord over a step, at
   /// most.
   double deviation() const { return deviation_; }
@@ -98,7 +96,7 @@ struct RestModes {
 
   RestModes() = default;
   RestModes(const SceneConstants& constants, std::size_t axis);
-  using States = std::array<AxisState, most_modes>;
+  using States = std::array<OscillatorState, most_modes>;
   States vibrations(const States& modes) const { return times(to, modes); }
   States modes(const States& vibrations) const { return times(from, vibrations); }
 
@@ -133,7 +131,7 @@ struct RestTable {
   /// @param ground, roof the same each time that a table is made again
   void tabulate(const GroundNodes& ground, const SceneConstants& constants, RoofKind roof);
   void tabulate(const GroundNodes& ground, const std::array<Modes, 2>& modes);
-  AxisState state(std::size_t axis, std::size_t node, std::size_t k) const {
+  OscillatorState state(std::size_t axis, std::size_t node, std::size_t k) const {
     const std::size_t i = node * free[axis].size() + k;
     return {x[axis][i], y[axis][i]};
   }
