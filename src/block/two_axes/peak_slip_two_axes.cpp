@@ -8,11 +8,11 @@
 #include <vector>
 
 #include "block/full_model/building_axis.hpp"
+#include "block/two_axes/history/history.hpp"
 #include "glissade/block/two_axis_lanes.hpp"
 #include "glissade/core/contract.hpp"
 #include "glissade/core/finite.hpp"
 #include "glissade/core/not_converged.hpp"
-#include "history.hpp"
 #include "scene.hpp"
 
 namespace glissade {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "block/two_axes/lanes/lane_states.hpp"
 #include "block/two_axes/roof/tables.hpp"
 #include "glissade/block/two_axis_lanes.hpp"
-#include "lane_states.hpp"
 
 namespace glissade::block_detail::two_axes {
 

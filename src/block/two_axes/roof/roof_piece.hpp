@@ -6,7 +6,7 @@
 
 #include "block/contact/two_axis_contact.hpp"
 #include "block/polynomial/power_series.hpp"
-#include "block/two_axes/lane_states.hpp"
+#include "block/two_axes/lanes/lane_states.hpp"
 #include "block/two_axes/roof/tables.hpp"
 
 namespace glissade::block_detail::two_axes {

@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "block/two_axes/lane_states.hpp"
+#include "block/two_axes/lanes/lane_states.hpp"
 #include "glissade/block/on_building.hpp"
 #include "glissade/core/oscillator.hpp"
 

@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "block/full_model/sdirk4.hpp"
+#include "block/two_axes/history/history.hpp"
 #include "block/two_axes/roof/roof_at_rest.hpp"
-#include "history.hpp"
 
 namespace glissade::block_detail::two_axes {
 LaneHistory::LaneHistory(const SceneConstants& constants, RoofKind roof, const GroundNodes& ground,

@@ -2,14 +2,14 @@
 //
 // Compiled once per SIMD target (Highway chooses at run time); every operation
 // is elementwise and unfused, so all targets give the same bits.
-#include "lane_states.hpp"
+#include "block/two_axes/lanes/lane_states.hpp"
 
 #undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "block/two_axes/by_speed_lane_step.cpp"
+#define HWY_TARGET_INCLUDE "block/two_axes/lanes/by_speed_lane_step.cpp"
 #include <hwy/foreach_target.h>  // before highway.h
 #include <hwy/highway.h>
 
-#include "lane_step-inl.hpp"
+#include "block/two_axes/lanes/lane_step-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace glissade::block_detail::two_axes::HWY_NAMESPACE {

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Base shear of the building in a step. Included once per SIMD target.
-#if defined(GLISSADE_TWO_AXES_LANE_SHEAR_INL) == defined(HWY_TARGET_TOGGLE)
-#ifdef GLISSADE_TWO_AXES_LANE_SHEAR_INL
-#undef GLISSADE_TWO_AXES_LANE_SHEAR_INL
+#if defined(GLISSADE_TWO_AXES_SHEAR_INL) == defined(HWY_TARGET_TOGGLE)
+#ifdef GLISSADE_TWO_AXES_SHEAR_INL
+#undef GLISSADE_TWO_AXES_SHEAR_INL
 #else
-#define GLISSADE_TWO_AXES_LANE_SHEAR_INL
+#define GLISSADE_TWO_AXES_SHEAR_INL
 #endif
 
-#include "lane_series-inl.hpp"
+#include "block/two_axes/lanes/numbers-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace glissade::block_detail::two_axes::HWY_NAMESPACE {
@@ -43,4 +43,4 @@ HWY_INLINE std::uint64_t FollowShear(LaneStates& lanes, Here here, const Series&
 
 }  // namespace glissade::block_detail::two_axes::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
-#endif  // GLISSADE_TWO_AXES_LANE_SHEAR_INL
+#endif  // GLISSADE_TWO_AXES_SHEAR_INL

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Roots in lanes. Included once per SIMD target.
-#if defined(GLISSADE_TWO_AXES_LANE_ROOT_INL) == defined(HWY_TARGET_TOGGLE)
-#ifdef GLISSADE_TWO_AXES_LANE_ROOT_INL
-#undef GLISSADE_TWO_AXES_LANE_ROOT_INL
+#if defined(GLISSADE_TWO_AXES_ROOT_INL) == defined(HWY_TARGET_TOGGLE)
+#ifdef GLISSADE_TWO_AXES_ROOT_INL
+#undef GLISSADE_TWO_AXES_ROOT_INL
 #else
-#define GLISSADE_TWO_AXES_LANE_ROOT_INL
+#define GLISSADE_TWO_AXES_ROOT_INL
 #endif
 
-#include "lane_series-inl.hpp"
+#include "block/two_axes/lanes/numbers-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace glissade::block_detail::two_axes::HWY_NAMESPACE {
@@ -60,4 +60,4 @@ HWY_NOINLINE V RootOf(Terms<n> f, V to, V at_begin, V at_end) {
 
 }  // namespace glissade::block_detail::two_axes::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
-#endif  // GLISSADE_TWO_AXES_LANE_ROOT_INL
+#endif  // GLISSADE_TWO_AXES_ROOT_INL

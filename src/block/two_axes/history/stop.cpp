@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // How the block of a history stops.
+#include "block/full_model/stop.hpp"
+
 #include <algorithm>
 #include <cmath>
 
-#include "block/full_model/stop.hpp"
-#include "elliptic_stop.hpp"
-#include "history.hpp"
+#include "block/two_axes/history/elliptic_stop.hpp"
+#include "block/two_axes/history/history.hpp"
 
 namespace glissade::block_detail::two_axes {
 namespace {

@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Numbers of several lanes, and polynomials of them. Included once per SIMD target.
-#if defined(GLISSADE_TWO_AXES_LANE_NUMBERS_INL) == defined(HWY_TARGET_TOGGLE)
-#ifdef GLISSADE_TWO_AXES_LANE_NUMBERS_INL
-#undef GLISSADE_TWO_AXES_LANE_NUMBERS_INL
+#if defined(GLISSADE_TWO_AXES_NUMBERS_INL) == defined(HWY_TARGET_TOGGLE)
+#ifdef GLISSADE_TWO_AXES_NUMBERS_INL
+#undef GLISSADE_TWO_AXES_NUMBERS_INL
 #else
-#define GLISSADE_TWO_AXES_LANE_NUMBERS_INL
+#define GLISSADE_TWO_AXES_NUMBERS_INL
 #endif
 
 #include <hwy/highway.h>
 
 #include <type_traits>
 
-#include "lane_states.hpp"
+#include "block/two_axes/lanes/lane_states.hpp"
 
 #ifndef GLISSADE_INLINE_LAMBDA
 #define GLISSADE_INLINE_LAMBDA __attribute__((always_inline))
@@ -84,4 +84,4 @@ HWY_INLINE V Integral(const V (&c)[n], V t) {
 
 }  // namespace glissade::block_detail::two_axes::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
-#endif  // GLISSADE_TWO_AXES_LANE_NUMBERS_INL
+#endif  // GLISSADE_TWO_AXES_NUMBERS_INL

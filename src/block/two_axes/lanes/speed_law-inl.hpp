@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Friction that depends on speed (theory.md, 3.5). Included once per SIMD target.
-#if defined(GLISSADE_TWO_AXES_LANE_SPEED_LAW_INL) == defined(HWY_TARGET_TOGGLE)
-#ifdef GLISSADE_TWO_AXES_LANE_SPEED_LAW_INL
-#undef GLISSADE_TWO_AXES_LANE_SPEED_LAW_INL
+#if defined(GLISSADE_TWO_AXES_SPEED_LAW_INL) == defined(HWY_TARGET_TOGGLE)
+#ifdef GLISSADE_TWO_AXES_SPEED_LAW_INL
+#undef GLISSADE_TWO_AXES_SPEED_LAW_INL
 #else
-#define GLISSADE_TWO_AXES_LANE_SPEED_LAW_INL
+#define GLISSADE_TWO_AXES_SPEED_LAW_INL
 #endif
 
-#include "lane_numbers-inl.hpp"
+#include "block/two_axes/lanes/numbers-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace glissade::block_detail::two_axes::HWY_NAMESPACE {
@@ -48,4 +48,4 @@ struct SpeedLaw {
 
 }  // namespace glissade::block_detail::two_axes::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
-#endif  // GLISSADE_TWO_AXES_LANE_SPEED_LAW_INL
+#endif  // GLISSADE_TWO_AXES_SPEED_LAW_INL

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // When the springs of a building yield or unload in a step. Included once per SIMD target.
-#if defined(GLISSADE_TWO_AXES_LANE_SPRINGS_INL) == defined(HWY_TARGET_TOGGLE)
-#ifdef GLISSADE_TWO_AXES_LANE_SPRINGS_INL
-#undef GLISSADE_TWO_AXES_LANE_SPRINGS_INL
+#if defined(GLISSADE_TWO_AXES_SPRINGS_INL) == defined(HWY_TARGET_TOGGLE)
+#ifdef GLISSADE_TWO_AXES_SPRINGS_INL
+#undef GLISSADE_TWO_AXES_SPRINGS_INL
 #else
-#define GLISSADE_TWO_AXES_LANE_SPRINGS_INL
+#define GLISSADE_TWO_AXES_SPRINGS_INL
 #endif
 
-#include "lane_root-inl.hpp"
+#include "block/two_axes/lanes/root-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace glissade::block_detail::two_axes::HWY_NAMESPACE {
@@ -139,6 +139,16 @@ class SpringEvents {
   V up_[2], down_[2];
 };
 
+/// The springs' events in a step up to t; on other roofs nothing.
+template <RoofKind roof, class Series>
+HWY_INLINE auto SpringEventsOf([[maybe_unused]] const LaneStates& lanes, [[maybe_unused]] Here here,
+                               [[maybe_unused]] const Series& z, [[maybe_unused]] V t) {
+  if constexpr (roof == RoofKind::yielding)
+    return SpringEvents(lanes, here, z, t);
+  else
+    return 0;
+}
+
 }  // namespace glissade::block_detail::two_axes::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
-#endif  // GLISSADE_TWO_AXES_LANE_SPRINGS_INL
+#endif  // GLISSADE_TWO_AXES_SPRINGS_INL

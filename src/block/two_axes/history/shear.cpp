@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include "block/polynomial/power_series.hpp"
+#include "block/two_axes/history/history.hpp"
 #include "block/two_axes/roof/roof_at_rest.hpp"
-#include "history.hpp"
 
 namespace glissade::block_detail::two_axes {
 

@@ -10,7 +10,8 @@
 #endif
 
 #include "block/full_model/sdirk4.hpp"
-#include "lane_series-inl.hpp"
+#include "block/two_axes/lanes/roof_series-inl.hpp"
+#include "block/two_axes/lanes/speed_law-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace glissade::block_detail::two_axes::HWY_NAMESPACE {

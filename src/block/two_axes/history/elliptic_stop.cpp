@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "elliptic_stop.hpp"
+#include "block/two_axes/history/elliptic_stop.hpp"
 
 #include <cmath>
 

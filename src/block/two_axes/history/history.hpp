@@ -79,7 +79,7 @@ class LaneHistory {
   bool uplift() const { return uplift_; }
 
  private:
-  // Rest (history_rest.cpp).
+  // Rest (rest.cpp).
   Next rest(HistoryState& state);
   Next rest_from_node(HistoryState& state);
   double release(const RoofPiece& piece);
@@ -97,7 +97,7 @@ class LaneHistory {
   Next start(HistoryState& state);
   Next go_on_from_rest(HistoryState& state) const;
 
-  // Base shear (history_shear.cpp).
+  // Base shear (shear.cpp).
   bool follows_shear() const { return largest_a_[0] != never; }
   /// At rest, from a node to another.
   void raise_shear(const RoofAtRest& roof, std::size_t from, std::size_t to);
@@ -106,7 +106,7 @@ class LaneHistory {
   /// Over a stop.
   void raise_shear(const HistoryState& state, const RoofPiece& piece, const Stop& stop);
 
-  // Stops (history_stop.cpp).
+  // Stops (stop.cpp).
   RoofPiece stopping_piece(const HistoryState& state, const Stop& stop) const;
   bool meets_spring_event(const HistoryState& state, const Stop& stop) const;
   bool stop(HistoryState& state, const RoofPiece& piece);
