@@ -103,7 +103,7 @@ class ImplicitStep {
         z(lanes, here, i.ground_1, i.ground_2, i.up, i.row, i.h) {
     const V zero = hn::Zero(Doubles());
     // A speed within the tolerance, against the load (LaneHistory::reverse).
-    speed = z.Length(here(m.v_s), here(m.v_y));
+    speed = Length(here(m.v_s), here(m.v_y));
     const Mask slowest =
         hn::And(hn::Le(speed, here(c.no_speed) * here(m.fastest)),
                 hn::And(hn::Gt(z.weight[0], zero),
@@ -125,7 +125,7 @@ class ImplicitStep {
     LaneMotion<V> to{};
     to.v_s = z.end_s;
     to.v_y = z.end_y;
-    const V end_speed = z.Length(z.end_s, z.end_y);
+    const V end_speed = Length(z.end_s, z.end_y);
     to.fastest = hn::Max(here(m.fastest), end_speed);
     to.path = here(m.path) + (Number(0.5) * (i.h * f)) * (speed + end_speed);
 
@@ -154,7 +154,7 @@ class ImplicitStep {
     const V next_trial = hn::IfThenElse(event, here(m.trial), trial);
 
     const V end_weight = Polynomial(z.weight, f);
-    const V end_m_speed = z.Length(z.end_s, here(c.aspect) * z.end_y);
+    const V end_m_speed = Length(z.end_s, here(c.aspect) * z.end_y);
     const Mask fast = hn::Lt(end_weight, (Number(smooth) * here(m.left)) * end_m_speed);
     const Mask pressed =
         hn::Gt(end_weight, (Number(enough_weight) * here(c.mu)) * (here(c.gravity) * i.h));
