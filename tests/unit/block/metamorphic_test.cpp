@@ -16,9 +16,7 @@ using test::solvers;
 std::vector<Scene> random_scenes() {
   std::vector<Scene> scenes;
   std::mt19937 generator(20260101);
-  const auto uniform = [&](double low, double high) {
-    return low + (high - low) * static_cast<double>(generator()) / 4294967296.0;
-  };
+  const auto uniform = [&](double low, double high) { return test::uniform(generator, low, high); };
   for (unsigned i = 0; i < 400; ++i) {
     Scene scene{"scene " + std::to_string(i), 0.02 * std::pow(10.0, -uniform(0.0, 1.6))};
     const auto n = static_cast<std::size_t>(uniform(200, 1000));

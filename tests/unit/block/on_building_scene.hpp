@@ -28,9 +28,7 @@ struct OnBuilding {
 
   /// Any size of everything.
   OnBuilding(std::mt19937& random, unsigned seed, std::size_t n) : OnBuilding(seed, n, 8.0) {
-    const auto uniform = [&](double low, double high) {
-      return low + (high - low) * static_cast<double>(random()) / 4294967296.0;
-    };
+    const auto uniform = [&](double low, double high) { return test::uniform(random, low, high); };
     dt_s = uniform(0.003, 0.02);
     factor = uniform(0.5, 2.0);
     for (Modes& o : building.horizontal)

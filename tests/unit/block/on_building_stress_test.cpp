@@ -15,9 +15,7 @@ using test::OnBuilding;
 struct Draw {
   std::mt19937 random;
   bool one_in(unsigned n) { return random() % n == 0; }
-  double between(double low, double high) {
-    return low + (high - low) * static_cast<double>(random()) / 4294967296.0;
-  }
+  double between(double low, double high) { return test::uniform(random, low, high); }
   double by_size(double low, double high) {
     return std::exp(between(std::log(low), std::log(high)));
   }

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // The same bits on every SIMD target this machine has, from tables to slip.
+#include "simd_targets.hpp"
+
 #include <gtest/gtest.h>
-#include <hwy/targets.h>
 
 #include <vector>
 
@@ -52,24 +53,9 @@ std::vector<double> everything() {
   return all;
 }
 
-void use_targets(std::int64_t targets) {
-  hwy::SetSupportedTargetsForTest(targets);
-  hwy::GetChosenTarget().Update(hwy::SupportedTargets());
-}
-
 TEST(simd_targets, all_give_the_same_bits) {
   const std::vector<double> best = everything();
-  const std::vector<std::int64_t> targets = hwy::SupportedAndGeneratedTargets();
-  ASSERT_FALSE(targets.empty());
-  std::string ran;
-  for (const std::int64_t target : targets) {
-    use_targets(target);
-    ASSERT_EQ(hwy::SupportedTargets(), target);  // it is the one that runs
-    ran += std::string(hwy::TargetName(target)) + " ";
-    EXPECT_EQ(everything(), best) << hwy::TargetName(target);
-  }
-  use_targets(0);
-  RecordProperty("targets", ran);
+  RecordProperty("targets", test::on_each_target([&] { EXPECT_EQ(everything(), best); }));
 }
 
 }  // namespace simd_targets_test

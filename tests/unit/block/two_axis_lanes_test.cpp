@@ -1,76 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The two-axis kernel in lanes against its readable reference.
-#include "glissade/block/two_axis_lanes.hpp"
-
 #include <gtest/gtest.h>
-#include <hwy/targets.h>
 
 #include <algorithm>
 #include <cmath>
-#include <string>
 #include <vector>
 
 #include "glissade/block/slide.hpp"
-#include "unit/block/on_building_scene.hpp"
+#include "unit/block/lane_scenes.hpp"
 
 namespace glissade {
 namespace two_axis_lanes_test {
 
+using namespace test::lanes;
 using test::OnBuilding;
-using test::uniform;
-
-enum class Kind { rigid, uncoupled, modes, coupled, coupled_modes, yielding };
-constexpr Kind all_kinds[] = {Kind::rigid,   Kind::uncoupled,     Kind::modes,
-                              Kind::coupled, Kind::coupled_modes, Kind::yielding};
-
-/// Two to six modes, or one that is not one mass, of 0.05 s and longer.
-Modes cantilever(double period_s, double alpha, std::size_t count = most_modes) {
-  return Modes(governing_modes(cantilever_modes(period_s, alpha, count)));
-}
-
-BuildingGround ground_of(unsigned seed, bool vertical = true) {
-  OnBuilding scene(seed, 900, 6.0);
-  scene.dt_s = 0.01;
-  if (!vertical) scene.up.clear();
-  return scene.ground();
-}
-
-std::vector<TwoAxisScene> made_up_scenes(Kind kind, std::size_t count, unsigned seed) {
-  std::mt19937 random(seed);
-  std::vector<TwoAxisScene> scenes(count);
-  for (std::size_t k = 0; k < count; ++k) {
-    TwoAxisScene& s = scenes[k];
-    if (kind != Kind::rigid)
-      for (Modes& o : s.building.horizontal)
-        o = {0.2 + 0.3 * static_cast<double>(k / 4 % 4), 0.05};  // four on each building
-    if (kind == Kind::modes || kind == Kind::coupled_modes) {
-      const double period_s = s.building.horizontal[0].period_s();
-      s.building.horizontal = {cantilever(period_s, 2.0), cantilever(0.8 * period_s, 10.0)};
-    }
-    if (kind == Kind::coupled || kind == Kind::coupled_modes || kind == Kind::yielding)
-      s.building.mass_ratio = 0.02 + 0.04 * static_cast<double>(k / 4 % 3);
-    if (kind == Kind::yielding) {
-      if (k % 5 == 0) s.building.mass_ratio = 0.0;
-      s.building.yielding[0] = {uniform(random, 1.0, 6.0), k % 3 == 0 ? 0.0 : 0.05};
-      if (k % 4 != 0) s.building.yielding[1] = {uniform(random, 1.0, 6.0), 0.02};
-    }
-    const double mu = uniform(random, 0.05, 0.6);
-    s.block.friction = {mu, k % 3 == 0 ? mu : uniform(random, 0.6, 1.6) * mu};
-    s.block.slope_rad = uniform(random, 0.0, 0.9) * std::min(std::atan(mu), 0.2);
-    s.block.azimuth_rad = uniform(random, -3.0, 3.0);
-    const double factor = std::exp(uniform(random, std::log(0.2), std::log(2.0)));
-    s.factors = {{random() % 2 == 0 ? factor : -factor, factor}, factor};
-    s.base_shear = kind != Kind::modes && kind != Kind::coupled_modes;
-  }
-  return scenes;
-}
-
-std::vector<TwoAxisPeak> solve(const BuildingGround& ground, std::span<const TwoAxisScene> scenes,
-                               double tolerance = 1e-6) {
-  std::vector<TwoAxisPeak> peaks(scenes.size());
-  peak_slip_two_axes(ground, scenes, peaks, tolerance);
-  return peaks;
-}
 
 TwoAxisResult reference(const BuildingGround& ground, const TwoAxisScene& s,
                         double tolerance = 1e-9) {
@@ -86,16 +29,6 @@ double error(const TwoAxisPeak& p, const TwoAxisResult& r) {
                    std::abs(p.residual.along_m - r.residual.along_m),
                    std::abs(p.residual.across_m - r.residual.across_m)}) /
          r.peak_displacement_m;
-}
-
-std::vector<double> numbers(std::span<const TwoAxisPeak> peaks) {
-  std::vector<double> all;
-  for (const TwoAxisPeak& p : peaks)
-    all.insert(all.end(), {p.peak_displacement_m, p.peak_by_axis.along_m, p.peak_by_axis.across_m,
-                           p.peak_downslope_m, p.peak_upslope_m, p.residual.along_m,
-                           p.residual.across_m, static_cast<double>(p.slip_phases),
-                           p.uplift ? 1.0 : 0.0, p.base_shear[0], p.base_shear[1]});
-  return all;
 }
 
 std::vector<TwoAxisResult> references(const BuildingGround& ground,
@@ -178,35 +111,6 @@ TEST(peak_slip_two_axes, converges_with_its_tolerance) {
   }
 }
 
-std::vector<TwoAxisScene> with_static_friction(std::vector<TwoAxisScene> scenes) {
-  for (std::size_t k = 0; k < scenes.size(); ++k)
-    scenes[k].block.law.static_over_sliding = 1.02 + 0.1 * static_cast<double>(k % 7);
-  return scenes;
-}
-
-/// Rising with speed and falling.
-std::vector<TwoAxisScene> with_friction_by_speed(std::vector<TwoAxisScene> scenes) {
-  constexpr double fast_over_slow[] = {1.5, 0.8, 1.2, 2.0, 0.6}, rate_s_per_m[] = {5.0, 20.0, 60.0};
-  for (std::size_t k = 0; k < scenes.size(); ++k) {
-    FrictionLaw& law = scenes[k].block.law;
-    law.fast_over_slow = fast_over_slow[k % 5];
-    law.rate_s_per_m = rate_s_per_m[k % 3];
-    if (k % 4 == 0) law.static_over_sliding = 1.1;
-    scenes[k].block.slope_rad *= 0.5;  // so that the least friction stops the block
-  }
-  return scenes;
-}
-
-/// Of every model that a kind of roof can have.
-std::vector<TwoAxisScene> scenes_of_all_models(Kind kind, std::size_t count, unsigned seed) {
-  std::vector<TwoAxisScene> all = made_up_scenes(kind, count, seed);
-  for (const TwoAxisScene& s : with_static_friction(made_up_scenes(kind, count, seed + 1)))
-    all.push_back(s);
-  for (const TwoAxisScene& s : with_friction_by_speed(made_up_scenes(kind, count, seed + 2)))
-    all.push_back(s);
-  return all;
-}
-
 TEST(peak_slip_two_axes, friction_by_speed_is_that_of_the_reference) {
   for (const Kind kind : all_kinds) {
     SCOPED_TRACE(static_cast<int>(kind));
@@ -264,14 +168,6 @@ TEST(peak_slip_two_axes, base_shear_is_that_of_the_reference_and_changes_no_othe
       EXPECT_EQ(numbers(solve(ground, scenes)), numbers(others));
     }
   }
-}
-
-/// Under a vertical that lifts most of them off the roof, again and again.
-std::vector<TwoAxisScene> lifted_scenes(Kind kind, std::size_t count, unsigned seed) {
-  std::vector<TwoAxisScene> scenes = made_up_scenes(kind, count, seed);
-  std::mt19937 random(seed + 1);
-  for (TwoAxisScene& s : scenes) s.factors.vertical *= uniform(random, 1.0, 8.0);
-  return scenes;
 }
 
 TEST(peak_slip_two_axes, lifts_off_and_lands_as_the_reference) {
@@ -373,19 +269,6 @@ TEST(peak_slip_two_axes, follows_the_building_after_the_record) {
   }
 }
 
-TEST(peak_slip_two_axes, one_mass_among_modes_without_participation_is_one_mass_to_the_bit) {
-  for (const Kind kind : {Kind::uncoupled, Kind::coupled}) {
-    const auto scenes = made_up_scenes(kind, 20, 31);
-    auto among = scenes;
-    for (TwoAxisScene& s : among)
-      for (Modes& axis : s.building.horizontal) {
-        const Mode modes[] = {axis[0], {0.3 * axis.period_s(), 0.0, 0.1, 0.05}};
-        axis = Modes(modes);
-      }
-    EXPECT_EQ(numbers(solve(ground_of(30), among)), numbers(solve(ground_of(30), scenes)));
-  }
-}
-
 // 2.5 radians of the shortest mode between samples.
 TEST(peak_slip_two_axes, a_roof_of_short_modes_is_a_polynomial_between_samples) {
   OnBuilding made(32, 700, 6.0);
@@ -428,97 +311,6 @@ TEST(peak_slip_two_axes, crossings_are_those_of_the_reference) {
                     1e-3 * expected[i].speed_mps + 20.0 * off_m / expected[i].speed_mps);
       }
     }
-  }
-}
-
-TEST(peak_slip_two_axes, zero_motion_moves_nothing) {
-  const auto rest = std::make_shared<GroundTable>(0.01, std::vector<double>(100, 0.0));
-  for (const Kind kind : all_kinds)
-    for (const double number :
-         numbers(solve({{rest, rest}, nullptr}, scenes_of_all_models(kind, 40, 12))))
-      EXPECT_EQ(number, 0.0);
-}
-
-TEST(peak_slip_two_axes, zeros_after_the_record_change_not_a_bit) {
-  OnBuilding made(13, 500, 8.0);
-  made.dt_s = 0.01;
-  OnBuilding padded = made;
-  for (auto* samples : {&padded.first, &padded.second, &padded.up})
-    samples->insert(samples->end(), 300, 0.0);
-  for (const Kind kind : all_kinds) {
-    const auto scenes = scenes_of_all_models(kind, 40, 14);
-    EXPECT_EQ(numbers(solve(padded.ground(), scenes)), numbers(solve(made.ground(), scenes)));
-  }
-}
-
-TEST(peak_slip_two_axes, the_mirror_image_across_the_slope_is_the_same_to_the_bit) {
-  for (const Kind kind : all_kinds) {
-    const auto scenes = scenes_of_all_models(kind, 40, 15);
-    auto mirrored = scenes;
-    for (TwoAxisScene& s : mirrored) {
-      s.block.azimuth_rad = -s.block.azimuth_rad;
-      s.factors.horizontal[1] = -s.factors.horizontal[1];
-    }
-    const auto peaks = solve(ground_of(16), scenes);
-    auto images = solve(ground_of(16), mirrored);
-    for (TwoAxisPeak& p : images) p.residual.across_m = -p.residual.across_m;
-    EXPECT_EQ(numbers(images), numbers(peaks));
-  }
-}
-
-TEST(peak_slip_two_axes, slip_scales_with_the_whole_acceleration_field_to_the_bit) {
-  for (const Kind kind : all_kinds) {
-    const auto scenes = scenes_of_all_models(kind, 40, 17);
-    auto stronger = scenes;
-    for (TwoAxisScene& s : stronger) {
-      s.block.gravity_mps2 *= 4.0;
-      for (double& factor : s.factors.horizontal) factor *= 4.0;
-      s.factors.vertical *= 4.0;
-      s.block.law.rate_s_per_m *= 0.25;
-      for (Yielding& spring : s.building.yielding) spring.yield_acceleration_mps2 *= 4.0;
-    }
-    const auto peaks = solve(ground_of(18), scenes), more = solve(ground_of(18), stronger);
-    for (std::size_t k = 0; k < peaks.size(); ++k) {
-      EXPECT_EQ(more[k].peak_displacement_m, 4.0 * peaks[k].peak_displacement_m) << k;
-      EXPECT_EQ(more[k].residual.along_m, 4.0 * peaks[k].residual.along_m) << k;
-      EXPECT_EQ(more[k].residual.across_m, 4.0 * peaks[k].residual.across_m) << k;
-      EXPECT_EQ(more[k].slip_phases, peaks[k].slip_phases) << k;
-    }
-  }
-}
-
-TEST(peak_slip_two_axes, a_history_has_the_same_bits_in_any_company) {
-  const BuildingGround ground = ground_of(19);
-  for (const Kind kind : all_kinds) {
-    auto scenes = scenes_of_all_models(kind, 60, 20);
-    for (const TwoAxisScene& s : lifted_scenes(kind, 10, 20)) scenes.push_back(s);
-    const auto together = solve(ground, scenes);
-    for (std::size_t k = 0; k < scenes.size(); ++k)
-      EXPECT_EQ(numbers(solve(ground, {&scenes[k], 1})), numbers({&together[k], 1})) << k;
-    std::reverse(scenes.begin(), scenes.end());
-    auto reversed = solve(ground, scenes);
-    std::reverse(reversed.begin(), reversed.end());
-    EXPECT_EQ(numbers(reversed), numbers(together));
-  }
-}
-
-void use_targets(std::int64_t targets) {
-  hwy::SetSupportedTargetsForTest(targets);
-  hwy::GetChosenTarget().Update(hwy::SupportedTargets());
-}
-
-TEST(peak_slip_two_axes, all_simd_targets_give_the_same_bits) {
-  const BuildingGround ground = ground_of(21);
-  for (const Kind kind : all_kinds) {
-    auto scenes = scenes_of_all_models(kind, 60, 22);
-    for (const TwoAxisScene& s : lifted_scenes(kind, 10, 22)) scenes.push_back(s);
-    const auto best = numbers(solve(ground, scenes));
-    for (const std::int64_t target : hwy::SupportedAndGeneratedTargets()) {
-      use_targets(target);
-      ASSERT_EQ(hwy::SupportedTargets(), target);
-      EXPECT_EQ(numbers(solve(ground, scenes)), best) << hwy::TargetName(target);
-    }
-    use_targets(0);
   }
 }
 
