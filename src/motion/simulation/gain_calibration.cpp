@@ -4,12 +4,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 
+#include "glissade/core/quantile.hpp"
 #include "glissade/core/units.hpp"
 #include "glissade/motion/response_spectrum.hpp"
 #include "glissade/motion/simulation/bssa14.hpp"
 #include "glissade/motion/simulation/gulerce_abrahamson.hpp"
-#include "glissade/motion/simulation/rotd50.hpp"
 
 namespace glissade {
 namespace {
@@ -37,8 +38,24 @@ std::vector<double> target_vertical_mps2(const Scenario& scenario,
 
 std::vector<double> horizontal_rotd50_mps2(const RawMotion& motion,
                                            std::span<const double> periods_s) {
-  return rotd50_spectrum(motion.dt_s, motion.acceleration_mps2[0], motion.acceleration_mps2[1],
-                         periods_s);
+  constexpr std::size_t orientations = 6;
+  const auto& [first, second, vertical] = motion.acceleration_mps2;
+  std::array<std::vector<double>, orientations> spectra;
+  std::vector<double> rotated(first.size());
+  for (std::size_t k = 0; k < orientations; ++k) {
+    const double angle = std::numbers::pi * static_cast<double>(k) / orientations;
+    const double cosine = std::cos(angle), sine = std::sin(angle);
+    std::transform(first.begin(), first.end(), second.begin(), rotated.begin(),
+                   [&](double x, double y) { return cosine * x + sine * y; });
+    spectra[k] = pseudo_acceleration_spectrum(motion.dt_s, rotated, periods_s);
+  }
+  std::vector<double> median;
+  for (std::size_t p = 0; p < periods_s.size(); ++p) {
+    std::vector<double> values;
+    for (const auto& spectrum : spectra) values.push_back(spectrum[p]);
+    median.push_back(quantile_of(std::move(values), 0.5));
+  }
+  return median;
 }
 
 std::vector<double> vertical_spectrum_mps2(const RawMotion& motion,

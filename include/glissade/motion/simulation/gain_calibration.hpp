@@ -21,7 +21,8 @@ std::vector<double> target_horizontal_mps2(const Scenario& scenario,
 std::vector<double> target_vertical_mps2(const Scenario& scenario,
                                          std::span<const double> periods_s);
 
-/// RotD50 of the horizontals, and the spectrum of the vertical, m/s2.
+/// RotD50 of the horizontals, over six orientations 30 degrees apart (the shipped recipes are
+/// calibrated with these; rotated_spectrum() has all), and the spectrum of the vertical, m/s2.
 std::vector<double> horizontal_rotd50_mps2(const RawMotion& motion,
                                            std::span<const double> periods_s);
 std::vector<double> vertical_spectrum_mps2(const RawMotion& motion,

@@ -8,8 +8,7 @@
 #include <numbers>
 
 #include "glissade/motion/response_spectrum.hpp"
-#include "glissade/motion/simulation/components.hpp"
-#include "glissade/motion/simulation/rotd50.hpp"
+#include "glissade/motion/simulation/gain_calibration.hpp"
 
 namespace glissade {
 namespace {
@@ -68,7 +67,7 @@ TEST(rotd50, is_near_the_median_over_all_orientations) {
     const auto spectrum = pseudo_acceleration_spectrum(motion.dt_s, rotated, periods_s);
     for (std::size_t p = 0; p < periods_s.size(); ++p) sa[p].push_back(spectrum[p]);
   }
-  const auto rotd50 = rotd50_spectrum(motion.dt_s, first, second, periods_s);
+  const auto rotd50 = horizontal_rotd50_mps2(motion, periods_s);
   for (std::size_t p = 0; p < periods_s.size(); ++p) {
     std::sort(sa[p].begin(), sa[p].end());
     EXPECT_NEAR(rotd50[p] / (0.5 * (sa[p][89] + sa[p][90])), 1.0, 0.03) << periods_s[p] << " s";
