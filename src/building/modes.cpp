@@ -6,13 +6,13 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <boost/math/quadrature/gauss.hpp>
-#include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
 #include <numbers>
 #include <string>
 
 #include "glissade/core/contract.hpp"
 #include "glissade/core/error.hpp"
+#include "glissade/core/root.hpp"
 
 namespace glissade {
 namespace {
@@ -49,11 +49,7 @@ double free_end(double gamma, double alpha) {
 double root_of_mode(std::size_t n, double alpha) {
   const double pi = std::numbers::pi, low = n == 0 ? 1e-3 : pi * static_cast<double>(n),
                high = pi * static_cast<double>(n + 1);
-  std::uintmax_t steps = 200;
-  const auto [below, above] =
-      boost::math::tools::toms748_solve([&](double gamma) { return free_end(gamma, alpha); }, low,
-                                        high, boost::math::tools::eps_tolerance<double>(50), steps);
-  return 0.5 * (below + above);
+  return root_between([&](double gamma) { return free_end(gamma, alpha); }, low, high, 50);
 }
 
 /// Over the height, in pieces that follow the harmonic and both exponentials.

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
 #include <functional>
 
@@ -7,6 +6,7 @@
 #include "by_record/intervals.hpp"
 #include "cloud/cloud_variance.hpp"
 #include "glissade/core/distributions.hpp"
+#include "glissade/core/root.hpp"
 #include "lognormal/likelihood.hpp"
 #include "lognormal/line_region.hpp"
 
@@ -54,10 +54,7 @@ double log_p50(const TwoPartFit& fit, double threshold) {
   for (int i = 0; i < 200 && excess(low) > 0; ++i) low -= step;
   for (int i = 0; i < 200 && excess(high) < 0; ++i) high += 0.5 * step * (1 << std::min(i, 20));
   if (low == high) return low;
-  std::uintmax_t iterations = 200;
-  const auto [a, b] = boost::math::tools::toms748_solve(
-      excess, low, high, boost::math::tools::eps_tolerance<double>(48), iterations);
-  return 0.5 * (a + b);
+  return root_between(excess, low, high, 48);
 }
 
 void check(const std::vector<CloudPoint>& points, const std::vector<double>& thresholds) {

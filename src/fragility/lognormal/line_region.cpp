@@ -3,27 +3,19 @@
 
 #include <algorithm>
 #include <boost/math/tools/minima.hpp>
-#include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
 #include <numbers>
 #include <utility>
 
 #include "glissade/core/finite.hpp"
+#include "glissade/core/root.hpp"
 
 namespace glissade::fragility {
 namespace {
 
 constexpr int steps = 96;
 constexpr double step = 2 * std::numbers::pi / steps;
-
-/// Where f changes its sign between two places.
-double zero_between(const std::function<double(double)>& f, double a, double b, double f_a,
-                    double f_b) {
-  std::uintmax_t iterations = 100;
-  const auto [low, high] = boost::math::tools::toms748_solve(
-      f, a, b, f_a, f_b, boost::math::tools::eps_tolerance<double>(36), iterations);
-  return 0.5 * (low + high);
-}
+constexpr int bits = 36;  // of the boundary
 
 }  // namespace
 
@@ -54,7 +46,7 @@ ProbitLine LineRegion::boundary(double angle) const {
   }
   if (at_to < 0) return {maximum_[0] + to * direction[0], 0.0};
   if (from == 0) at_from = excess(from = 1e-6 * to);
-  return maximum_ + zero_between(excess, from, to, at_from, at_to) * direction;
+  return maximum_ + root_between(excess, from, to, at_from, at_to, bits) * direction;
 }
 
 Interval LineRegion::range(const std::function<double(const ProbitLine&)>& quantity) const {
@@ -82,7 +74,7 @@ double median_bound(const LogLikelihood& log_outcome_probability, double log_std
   };
   double reach = log_std;
   while ((excess(-reach) > 0) == (excess(reach) > 0) && reach < 1e3) reach *= 2;
-  return std::exp(center + zero_between(excess, -reach, reach, excess(-reach), excess(reach)));
+  return std::exp(center + root_between(excess, -reach, reach, bits));
 }
 
 }  // namespace glissade::fragility

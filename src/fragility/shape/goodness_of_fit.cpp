@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <boost/math/special_functions/owens_t.hpp>
-#include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
 #include <cstdint>
 #include <map>
@@ -11,6 +10,7 @@
 #include "glissade/core/contract.hpp"
 #include "glissade/core/normal.hpp"
 #include "glissade/core/random.hpp"
+#include "glissade/core/root.hpp"
 #include "lognormal/point_fit.hpp"
 
 namespace glissade {
@@ -99,10 +99,7 @@ double correlation_in(const std::vector<RecordSample>& records, const std::vecto
   constexpr double largest = 0.999;
   if (z.empty() || excess(0) >= 0) return 0;
   if (excess(largest) <= 0) return largest;
-  std::uintmax_t iterations = 100;
-  const auto [low, high] = boost::math::tools::toms748_solve(
-      excess, 0.0, largest, boost::math::tools::eps_tolerance<double>(20), iterations);
-  return 0.5 * (low + high);
+  return root_between(excess, 0.0, largest, 20);
 }
 
 /// Capacities as the null model has them: lognormal, correlated within records.

@@ -4,12 +4,12 @@
 #include <Eigen/Core>
 #include <algorithm>
 #include <boost/math/special_functions/gamma.hpp>
-#include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
 #include <numbers>
 
 #include "glissade/core/contract.hpp"
 #include "glissade/core/distributions.hpp"
+#include "glissade/core/root.hpp"
 
 namespace glissade {
 namespace {
@@ -28,12 +28,9 @@ double duration_ratio(double shape) {
 double shape_of_ratio(double ratio) {
   if (ratio >= duration_ratio(shortest_shape)) return shortest_shape;
   GLISSADE_EXPECTS(ratio > duration_ratio(longest_shape));
-  std::uintmax_t iterations = 100;
-  const auto [low, high] = boost::math::tools::toms748_solve(
-      [&](double log_shape) { return duration_ratio(std::exp(log_shape)) - ratio; },
-      std::log(shortest_shape), std::log(longest_shape),
-      boost::math::tools::eps_tolerance<double>(45), iterations);
-  return std::exp(0.5 * (low + high));
+  return std::exp(
+      root_between([&](double log_shape) { return duration_ratio(std::exp(log_shape)) - ratio; },
+                   std::log(shortest_shape), std::log(longest_shape), 45));
 }
 
 }  // namespace
