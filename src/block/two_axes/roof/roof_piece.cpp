@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "block/polynomial/power_series.hpp"
+#include "block/two_axes/roof/one_mass_series.hpp"
 
 namespace glissade::block_detail::two_axes {
 namespace {
@@ -83,22 +83,18 @@ void RoofPiece::respond(const RoofState& state, const BlockVelocity& block_veloc
   const double omega[] = {c.omega_1, c.omega_2}, damping[] = {c.twice_zeta_1, c.twice_zeta_2};
   const double omega_rho[] = {c.omega_rho_1, c.omega_rho_2};
   for (std::size_t n = 0; n < 2; ++n) {
-    const double phase = omega[n] * length_s_;
-    const double forcing[] = {ground_[n], ground_end_[n] - ground_[n]};
-    const std::array<double, 2>& b = block_rate_[n] = {omega_rho[n] * block_velocity.begin[n],
-                                                       omega_rho[n] * block_velocity.rise[n]};
+    block_rate_[n] = {omega_rho[n] * block_velocity.begin[n],
+                      omega_rho[n] * block_velocity.rise[n]};
     const double stiffness = springs.direction[n] == 0.0 ? 1.0 : c.springs.hardening[n];
-    Terms &x = x_[n][0], &y = y_[n][0], &a = a_[n];
-    x[0] = state[n][0].x;
-    y[0] = state[n][0].y;
-    for (std::size_t k = 0; k < static_cast<std::size_t>(terms_); ++k) {
-      const double rate = k < 2 ? y[k] - b[k] : y[k];
-      a[k] = -(damping[n] * rate + x[k]) * c.per_mass;
-      if (k + 1 == static_cast<std::size_t>(terms_)) break;
-      const double factor = phase * Series::inverse[k + 1];
-      x[k + 1] = stiffness * (factor * rate);
-      y[k + 1] = factor * (k < 2 ? a[k] - forcing[k] : a[k]);
-    }
+    const OneMassSeries axis{omega[n] * length_s_,
+                             stiffness,
+                             damping[n],
+                             c.per_mass,
+                             {ground_[n], ground_end_[n] - ground_[n]},
+                             block_rate_[n]};
+    x_[n][0][0] = state[n][0].x;
+    y_[n][0][0] = state[n][0].y;
+    axis.expand(static_cast<std::size_t>(terms_), x_[n][0], y_[n][0], a_[n]);
   }
 }
 
