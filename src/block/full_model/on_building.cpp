@@ -109,6 +109,34 @@ BuildingSlip slide_along(const TwoAxisTrack& track, const BuildingGround& ground
   return result;
 }
 
+[[maybe_unused]] bool is_whole(std::span<const double> component, std::size_t samples) {
+  return component.empty() || component.size() == samples;
+}
+
+void check(const TwoAxisAcceleration& roof, [[maybe_unused]] const TwoAxisBlock& block) {
+  for (const auto& horizontal : roof.horizontal_mps2)
+    require_acceleration(horizontal, "the horizontal roof acceleration");
+  require_acceleration(roof.vertical_mps2, "the vertical roof acceleration");
+  require_finite({roof.dt_s}, "step");
+  GLISSADE_EXPECTS(roof.dt_s > 0.0 && !roof.horizontal_mps2[0].empty());
+  GLISSADE_EXPECTS(is_whole(roof.horizontal_mps2[1], roof.horizontal_mps2[0].size()) &&
+                   is_whole(roof.vertical_mps2, roof.horizontal_mps2[0].size()));
+  GLISSADE_EXPECTS(block.law.is_coulomb());
+}
+
+TwoAxisResult slide_with(const TwoAxisAcceleration& roof, const TwoAxisBlock& block,
+                         double tolerance, std::vector<PathPiece>* path) {
+  check(roof, block);
+  require_tolerance(tolerance, 1e-11);
+  const BuildingContact contact(block);
+  const BuildingAxis rigid({}, {}, 0.0, roof.dt_s);
+  TwoAxisTrack track(contact.loading().to_plan(), {}, {});
+  track.keep(path);
+  FullModelBody body(contact, {rigid, rigid}, 0.0, 1, roof.dt_s, tolerance, track);
+  body.follow(Excitation(roof), 0.0);
+  return body.result();
+}
+
 /// A path in the axes of another slope.
 /// @param angle_rad from the azimuth of that slope to the azimuth of the path's
 void rotate(std::span<PathPiece> path, double angle_rad) {
@@ -171,6 +199,30 @@ PlanVector closing_on_building(const BuildingGround& ground, const BuildingFacto
   rotate(paths[1], neighbour.azimuth_rad - block.azimuth_rad);
   const block_detail::Vector lead = largest_lead(paths[0], paths[1]);
   return {lead.s, lead.y};
+}
+
+double srss_of_maxima_m(const TwoAxisResult& result) {
+  return std::hypot(result.peak_by_axis.along_m, result.peak_by_axis.across_m);
+}
+
+TwoAxisResult slide_two_axis(const TwoAxisAcceleration& roof, const TwoAxisBlock& block,
+                             double tolerance) {
+  return slide_with(roof, block, tolerance, nullptr);
+}
+
+TwoAxisResult slide_two_axis(const TwoAxisAcceleration& roof, const TwoAxisBlock& block,
+                             std::vector<TwoAxisPoint>& history, double tolerance) {
+  std::vector<PathPiece> path;
+  const TwoAxisResult result = slide_with(roof, block, tolerance, &path);
+  history.assign(1, TwoAxisPoint{});
+  const auto add = [&](double time_s, block_detail::Vector d) {
+    history.push_back({time_s, {d.s, d.y}});
+  };
+  for (const PathPiece& piece : path) {
+    if (piece.begin_s > history.back().time_s) add(piece.begin_s, piece.points.front());
+    add(piece.end_s, piece.points.back());
+  }
+  return result;
 }
 
 }  // namespace glissade

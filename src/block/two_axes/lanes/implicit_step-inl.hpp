@@ -14,7 +14,6 @@
 #include "block/two_axes/lanes/implicit_series-inl.hpp"
 #include "block/two_axes/lanes/root-inl.hpp"
 #include "block/two_axes/lanes/springs-inl.hpp"
-#include "block/two_axes/lanes/stops-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace glissade::block_detail::two_axes::HWY_NAMESPACE {

@@ -10,7 +10,6 @@
 
 #include "block/two_axes/lanes/advance-inl.hpp"
 #include "block/two_axes/lanes/springs-inl.hpp"
-#include "block/two_axes/lanes/stops-inl.hpp"
 #include "block/two_axes/lanes/taylor_series-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();

@@ -2,6 +2,7 @@
 #include "block/two_axes/pool/pool.hpp"
 
 #include "block/two_axes/scene.hpp"
+#include "glissade/core/not_converged.hpp"
 
 namespace glissade::block_detail::two_axes {
 namespace {
@@ -13,6 +14,28 @@ void for_each(std::uint64_t lanes, const What& what) {
 }
 
 }  // namespace
+
+void UnderMotion::by_reference(const Batch& batch, std::size_t k) const {
+  const TwoAxisScene& scene = batch.scenes[k];
+  try {
+    const BuildingSlip on_building =
+        slide_on_building(ground, scene.factors, scene.building, scene.block, batch.thresholds_m,
+                          batch.crossings_of(k), tolerance);
+    const TwoAxisResult& r = on_building.slip;
+    batch.peaks[k] = {r.peak_displacement_m,
+                      r.peak_by_axis,
+                      r.peak_downslope_m,
+                      r.peak_upslope_m,
+                      r.residual,
+                      r.slip_phases,
+                      r.uplift,
+                      r.free_sliding,
+                      scene.base_shear ? on_building.peak_base_shear : std::array{0.0, 0.0},
+                      false};
+  } catch (const NotConverged&) {
+    batch.peaks[k] = {.failed = true};
+  }
+}
 
 void Pool::run(std::span<const std::size_t> tasks) {
   tasks_ = tasks;
