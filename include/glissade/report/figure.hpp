@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -150,6 +151,7 @@ struct Figure {
   int key_columns = 1;
   bool labels_at_lines = false;  ///< in place of a key
   int plot_height_px = 480;      ///< of a single panel with its axes, of 840 in width: two a page
+  std::optional<std::size_t> suite = {};  ///< where it is of one of the study's suites alone
 };
 
 /// Writes NAME.gp and NAME.dat and runs gnuplot on them: NAME.svg and NAME.pdf in `folder`. The

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <optional>
 #include <string>
 #include <utility>
 #include <variant>
@@ -72,6 +73,7 @@ struct Table {
   std::vector<std::vector<Cell>> rows;
   std::vector<std::string> notes;  ///< how to read it: a line each, below the title
   bool is_of_inputs = false;       ///< or of histories, which results.h5 has in groups of their own
+  std::optional<std::size_t> suite = {};  ///< where it is of one of the study's suites alone
 
   /// Adds a row. Expects one cell per column: in a column of text a number with its own digits
   /// only, no interval in a column without.

@@ -70,6 +70,8 @@ struct SuiteSummary {
   SuiteSpectra spectra;
   bool of_roof = false;             ///< as that of Suite
   bool target_is_envelope = false;  ///< over several site classes
+  int intensity_level =
+      -1;  ///< of Walters et al. (2012), by the mapped values of the target; -1: none
 };
 
 /// A sentence before the results.

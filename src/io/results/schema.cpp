@@ -201,6 +201,9 @@ void exchange_suites(const Archive& archive, const IntensityScale& scale, Suites
   column("of_roof", {"-", "1: motions of a roof, used without a building"}, &SuiteSummary::of_roof);
   column("target_is_envelope", {"-", "1: of the spectra of several site classes"},
          &SuiteSummary::target_is_envelope);
+  column("intensity_level",
+         {"-", "Intensity Level of Walters et al. (2012) by its design spectrum; -1: none"},
+         &SuiteSummary::intensity_level);
   for (std::size_t i = 0; i < suites.size(); ++i) {
     const auto group = archive.group("spectra_" + std::to_string(i));
     group.attribute("reference_level" + scale.suffix, suites[i].spectra.reference_level);

@@ -13,7 +13,7 @@ std::vector<Table> csv_tables(const Results& results) {
   std::erase_if(tables, [](const Table& table) { return table.rows.empty(); });
   const std::string one_axis = one_axis_text(results);
   for (Table& table : tables) {
-    const std::string target = target_text(results, table.title);
+    const std::string target = target_text(results, table.suite);
     if (!table.title.ends_with('.') && !(one_axis + target).empty()) table.title += ".";
     if (!one_axis.empty() && table.title.find(one_axis) == std::string::npos)
       table.title += " Displacements are along " + one_axis + ".";

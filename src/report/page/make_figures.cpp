@@ -49,7 +49,7 @@ std::vector<Figure> make_figures(const Results& results) {
   for (Figure& figure : figures) {
     add_published(results.published, figure);
     if (!is_spectra(figure)) add_below(figure, one_axis_text(results));
-    const std::string target = target_text(results, figure.title + figure.below);
+    const std::string target = target_text(results, figure.suite);
     if (!target.empty()) add_below(figure, "target " + target);
   }
   return figures;

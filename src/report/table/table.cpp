@@ -192,7 +192,8 @@ Table in_words_of_roof(Table table) {
 }
 
 Table Table::without(const std::string& stem) const {
-  Table rest{name, title, {}, std::vector<std::vector<Cell>>(rows.size()), notes, is_of_inputs};
+  Table rest{name,  title,        {},   std::vector<std::vector<Cell>>(rows.size()),
+             notes, is_of_inputs, suite};
   for (std::size_t c = 0; c < columns.size(); ++c) {
     if (columns[c].stem == stem) continue;
     rest.columns.push_back(columns[c]);

@@ -30,17 +30,12 @@ bool differs_by_suite(const Results& results) {
   });
 }
 
-std::string target_text(const Results& results, const std::string& title) {
+std::string target_text(const Results& results, std::optional<std::size_t> suite) {
   const bool counts =
       results.measure.is_of_design_spectrum() || !results.model.building.empty();  // or it yields
   if (!counts || results.suites.empty()) return "";
   if (!differs_by_suite(results)) return results.suites.front().target;
-  const auto is_named = [&](const SuiteSummary& suite) {
-    return title.find(suite.name) != std::string::npos;
-  };
-  return std::ranges::count_if(results.suites, is_named) == 1
-             ? std::ranges::find_if(results.suites, is_named)->target
-             : "differs by suite";
+  return suite ? results.suites[*suite].target : "differs by suite";
 }
 
 std::string with_unit(const Results& results, const std::string& value) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -16,8 +17,9 @@ std::string in_plan(const Results& results);
 /// "one axis only (model.axes = 1)" of a study whose array slides along one; else "".
 std::string one_axis_text(const Results& results);
 /// Of the design spectrum: "ASCE 7-16, S_S 1.5 g, S_1 0.6 g, site class D"; "" where no result
-/// rests on one. Of several suites that of the one that the title names, else that it differs.
-std::string target_text(const Results& results, const std::string& title = "");
+/// rests on one. Where that of several suites differs, that of the one that is shown, else that it
+/// differs.
+std::string target_text(const Results& results, std::optional<std::size_t> suite = {});
 bool differs_by_suite(const Results& results);
 /// "1.2 g": a value of the intensity measure.
 std::string with_unit(const Results& results, const std::string& value);

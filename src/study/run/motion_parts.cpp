@@ -12,6 +12,7 @@
 #include "glissade/core/units.hpp"
 #include "glissade/motion/intensity.hpp"
 #include "glissade/motion/rotated_spectrum.hpp"
+#include "glissade/motion/walters_level.hpp"
 
 namespace glissade {
 namespace {
@@ -198,10 +199,14 @@ SuiteSummary suite_of(const Plan& plan, std::size_t suite, const std::vector<dou
     }
     spectra.records_g.push_back(std::move(srss));
   }
-  std::string target_name;
-  const DesignTarget* design = plan.target_of(suite);
-  if (design != nullptr) {
-    target_name = to_string(*design);
+  const Suite& of = plan.suites[suite];
+  SuiteSummary summary{.name = of.name, .description = of.description, .of_roof = of.of_roof};
+  if (const DesignTarget* design = plan.target_of(suite)) {
+    summary.target = to_string(*design);
+    if (design->is_mapped()) {
+      summary.target_is_envelope = design->site_classes.size() > 1;
+      summary.intensity_level = intensity_level({design->ss_g, design->s1_g}).value_or(-1);
+    }
     const auto target = shown_target(plan, suite);
     for (const double period : spectra.periods_s) spectra.target_g.push_back(target(period));
   }
@@ -211,10 +216,8 @@ SuiteSummary suite_of(const Plan& plan, std::size_t suite, const std::vector<dou
     spectra.range = rule_range(plan);
     if (!ratios.empty()) spectra.mean_ratio = ratios[4];
   }
-  const Suite& of = plan.suites[suite];
-  return {of.name,     of.description,
-          target_name, std::move(spectra),
-          of.of_roof,  design != nullptr && design->is_mapped() && design->site_classes.size() > 1};
+  summary.spectra = std::move(spectra);
+  return summary;
 }
 
 }  // namespace

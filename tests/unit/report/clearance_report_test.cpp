@@ -318,7 +318,10 @@ TEST(clearance_report, a_yielding_building_is_drawn_from_r_above_0) {
 }
 
 TEST(clearance_report, intensity_levels_are_named_on_their_axis) {
-  const Results r = two_suites("my_level1", "my_level3");
+  Results r = two_suites("site_a", "site_b");
+  EXPECT_THAT(figure_of(r, "level").panels.at(0).x.label, states("Suite site_..."));
+  r.suites[0].intensity_level = 1;
+  r.suites[1].intensity_level = 3;
   const Axis x = figure_of(r, "level").panels.at(0).x;
   EXPECT_THAT(x.label, states("Intensity Level"));
   ASSERT_EQ(x.ticks.size(), 2u);

@@ -55,7 +55,10 @@ std::vector<Figure> base_shear_figures(const Results& results) {
     return figures;
   figures.push_back(by_support_figure(results));
   if (!base_shear_ratio_table(results).rows.empty()) figures.push_back(ratio_figure(results));
-  for (Figure& figure : figures) figure.labels_at_lines = true;
+  for (Figure& figure : figures) {
+    figure.labels_at_lines = true;
+    figure.suite = 0;
+  }
   return figures;
 }
 

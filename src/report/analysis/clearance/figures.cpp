@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <set>
 
 #include "analysis/clearance/orientation_figures.hpp"
 #include "analysis/conditions/family.hpp"
@@ -103,7 +104,7 @@ double sds_of(const SuiteSummary& suite) {
   return is_mce ? largest(suite.spectra.target_g) / mce_over_dbe : 0.0;
 }
 
-/// Of the names of the suites: "synthetic_level" of "synthetic_level0", "synthetic_level1".
+/// Of the names of the suites: "site_" of "site_a", "site_b".
 std::string common_begin(const std::vector<SuiteSummary>& suites) {
   std::string common = suites.front().name;
   for (const SuiteSummary& suite : suites)
@@ -111,30 +112,38 @@ std::string common_begin(const std::vector<SuiteSummary>& suites) {
   return common;
 }
 
+/// Of Walters et al. (2012), each of another.
+bool are_intensity_levels(const std::vector<SuiteSummary>& suites) {
+  std::set<int> levels;
+  for (const SuiteSummary& suite : suites) levels.insert(suite.intensity_level);
+  return levels.size() == suites.size() && !levels.contains(-1);
+}
+
 /// Fig. 14: displacement over the suites.
 Figure level_figure(const Results& results) {
   View view = by_building(results, support, clearance_periods_table(results));
   view.x = "suite";
   view.where.clear();
+  const bool by_level = are_intensity_levels(results.suites);
   const bool by_sds = std::ranges::all_of(
       results.suites, [](const SuiteSummary& suite) { return sds_of(suite) > 0.0; });
   const std::string common = common_begin(results.suites);
   for (const SuiteSummary& suite : results.suites) {
     const auto place = static_cast<double>(view.places.size());
+    const std::string name =
+        by_level ? fmt::format("{}", suite.intensity_level) : suite.name.substr(common.size());
     view.places.push_back(
         {suite.name,
-         {place, suite.name.substr(common.size()) +
-                     (by_sds ? fmt::format(" (S_DS {:.3g} g)", sds_of(suite)) : "")}});
+         {place, name + (by_sds ? fmt::format(" (S_DS {:.3g} g)", sds_of(suite)) : "")}});
   }
   return {"level",
-          common.ends_with("level") ? "Mean displacement over the Intensity Level"
-                                    : "Mean displacement by suite",
+          by_level ? "Mean displacement over the Intensity Level" : "Mean displacement by suite",
           conditions_text(results, shown_condition(ConditionGrid(results)), {period, support}),
           after_walters(results, 14),
           {means_panel(results, {view},
-                       (common.ends_with("level") ? "Intensity Level"
-                        : common.empty()          ? "Suite"
-                                                  : "Suite " + common + "...") +
+                       (by_level         ? "Intensity Level"
+                        : common.empty() ? "Suite"
+                                         : "Suite " + common + "...") +
                            std::string(by_sds ? " (S_DS of its design spectrum)" : ""))}};
 }
 

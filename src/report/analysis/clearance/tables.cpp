@@ -104,6 +104,7 @@ Table clearance_orientations_table(const Results& results) {
                 "number of the first orientation with the same histories"}},
               {},
               {}};
+  table.suite = 0;
   const ConditionGrid grid(results);
   const Places periods = shown_along(grid, ConditionAxis::period);
   for (const Condition& at : periods) {

@@ -91,12 +91,15 @@ Figure spectra_figure(const SuiteSpectra& spectra, const SpectraTexts& texts) {
 }
 
 Figure spectra_figure(const Results& results) {
-  const double level_g = results.suites.front().spectra.reference_level;
-  return spectra_figure(results.suites.front().spectra,
-                        {results.suites.front().name,
-                         level_g > 0.0 ? "scaled to S_DS = " + level_number(level_g) + " g"
-                                       : "scaled by the suite's own factors",
-                         "target (design spectrum)"});
+  const SuiteSummary& suite = results.suites.front();
+  const double level_g = suite.spectra.reference_level;
+  Figure figure = spectra_figure(suite.spectra,
+                                 {suite.name,
+                                  level_g > 0.0 ? "scaled to S_DS = " + level_number(level_g) + " g"
+                                                : "scaled by the suite's own factors",
+                                  "target (design spectrum)"});
+  figure.suite = 0;
+  return figure;
 }
 
 }  // namespace glissade

@@ -80,6 +80,7 @@ Table spectra_table(const Results& results) {
               {{"period", "s", "Period, s"}, {"average_" + combination, "g", "Average, g"}},
               {}};
   table.is_of_inputs = true;
+  table.suite = 0;
   if (!spectra.target_g.empty()) table.columns.push_back({"target", "g", "Target, g"});
   for (std::size_t r = 0; r < spectra.records_g.size(); ++r) {
     const std::string id = r < results.records.size() ? results.records[r].id : std::to_string(r);
