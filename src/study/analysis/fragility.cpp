@@ -130,18 +130,6 @@ std::string design_text(const Quantity& mu) {
                      design == 0.0 ? " (below zero: taken as 0)" : "");
 }
 
-std::string friction_text(const StudyConfig& config, const Case& c) {
-  const Quantity& along = config.quantities.at("friction", "mu");
-  const Quantity& across = config.quantities.at("friction", "across_mu");
-  const bool design = c.friction_value == FrictionValue::design;
-  std::string text =
-      design ? "mu = " + design_text(along)
-             : "mu " + (along.is_drawn() ? describe(along) : fmt::format("{:g}", c.friction));
-  if (config.friction.across_is_given)
-    text += "; across the slope " + (design ? design_text(across) : describe(across));
-  return text;
-}
-
 RunResults fragility_of(const StudyConfig& config, const Results& results,
                         std::size_t combination) {
   const std::vector<double>& levels = results.levels;
@@ -183,6 +171,18 @@ RunResults fragility_of(const StudyConfig& config, const Results& results,
 }
 
 }  // namespace
+
+std::string friction_text(const StudyConfig& config, const Case& c) {
+  const Quantity& along = config.quantities.at("friction", "mu");
+  const Quantity& across = config.quantities.at("friction", "across_mu");
+  const bool design = c.friction_value == FrictionValue::design;
+  std::string text =
+      design ? "mu = " + design_text(along)
+             : "mu " + (along.is_drawn() ? describe(along) : fmt::format("{:g}", c.friction));
+  if (config.friction.across_is_given)
+    text += "; across the slope " + (design ? design_text(across) : describe(across));
+  return text;
+}
 
 std::vector<RunResults> FragilityAnalysis::find(const StudyConfig& config, const Results& results) {
   const CaseSet& set = results.cases;

@@ -63,6 +63,8 @@ struct RunResults {
   std::vector<ImpactStatistics> impact;         ///< by (threshold, level); empty where not required
 };
 inline CaseSlice slice_of(const RunResults& run) { return {run.first_case, run.cases}; }
+/// The friction of a combination in full, from one of its cases: RunResults::friction.
+std::string friction_text(const StudyConfig& config, const Case& c);
 
 struct FragilityAnalysis {
   struct InStudy {

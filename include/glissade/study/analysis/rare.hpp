@@ -35,6 +35,7 @@ struct RareRow {
 
 struct RareResults {
   double widening = 1.0;
+  std::string friction;         ///< of the first combination, as RunResults::friction
   std::vector<double> weights;  ///< by sample: probability over that of the widened distributions
   std::vector<RareRow> rows;    ///< by (combination, threshold, level)
 };

@@ -106,29 +106,11 @@ std::string summary(const Results& results) {
   return to_text(rare_table(results)) + "\n" + paragraphs(sentences(results));
 }
 
-/// Of the first combination, as its friction is, not as the samples of it are drawn: "friction of
-/// mean 0.5, std 0.06".
-std::string friction_text(const Results& results) {
-  double sum = 0.0, mean = 0.0, square = 0.0;
-  for (std::size_t s = 0; s < results.rare->weights.size(); ++s) {
-    const double weight = results.rare->weights[s],
-                 mu = results.cases.cases[results.cases.index(0, s, 0)].friction;
-    sum += weight;
-    mean += weight * mu;
-    square += weight * mu * mu;
-  }
-  mean /= sum;
-  const double std = std::sqrt(std::max(0.0, square / sum - mean * mean));
-  constexpr double rounding = 1e-6;
-  return std < rounding ? fmt::format("friction {:.3g}", mean)
-                        : fmt::format("friction of mean {:.3g}, std {:.2g}", mean, std);
-}
-
 /// Of the first combination: a line for each threshold.
 Figure rare_figure(const Results& results) {
   const RareResults& rare = *results.rare;
   Figure figure{"rare", "Probability that slip reaches the clearance",
-                cases_below(results, {0, results.cases.size()}) + ", " + friction_text(results) +
+                cases_below(results, {0, results.cases.size()}) + ", friction " + rare.friction +
                     "; 95 % intervals: bars of the samples, shaded over records",
                 "Lines: estimate. Bars: 95 % interval of the samples, from independent scrambles. "
                 "Shaded: 95 % interval over records. Quantities without bounds are drawn from "

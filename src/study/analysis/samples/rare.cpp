@@ -8,6 +8,7 @@
 #include "glissade/core/contract.hpp"
 #include "glissade/fragility/bootstrap.hpp"
 #include "glissade/sampling/importance.hpp"
+#include "glissade/study/analysis/fragility.hpp"
 #include "glissade/study/cases/sample_points.hpp"
 #include "glissade/study/results.hpp"
 
@@ -86,6 +87,7 @@ RareResults RareAnalysis::find(const StudyConfig& config, const Results& results
     const Case& first = set.cases[set.index(c, 0, 0)];
     if (first.support != ArraySupport::isolated || first.friction_value == FrictionValue::design)
       continue;
+    if (found.rows.empty()) found.friction = friction_text(config, first);
     const RareEvent event(results, found.weights, c);
     for (const double threshold_m : config.rare->thresholds_m) {
       for (std::size_t level = 0; level < results.levels.size(); ++level)
