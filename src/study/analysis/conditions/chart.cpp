@@ -2,9 +2,7 @@
 #include "glissade/study/analysis/chart.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <map>
 #include <numeric>
 
 #include "analysis/pooled_level.hpp"
@@ -141,25 +139,30 @@ std::vector<ChartPrescription> prescriptions(const StandardsConfig& standards,
   return all;
 }
 
-/// The cases at each (slope, friction, period) of the chart. A negative slope counts for its mirror
-/// image; of friction that is drawn the samples count, not the design value.
-std::map<std::array<double, 3>, std::vector<std::vector<std::size_t>>> cases_of_points(
-    const StudyConfig& config, const Results& results) {
-  const auto& quantities = config.quantities;
-  const auto value = [&](const char* table, const char* key, double of_case) {
-    const Quantity& quantity = quantities.at(table, key);
-    return quantity.is_drawn() ? stated_mean(*quantity.drawn) : of_case;
-  };
-  std::map<std::array<double, 3>, std::vector<std::vector<std::size_t>>> points;
-  const CaseSet& set = results.cases;
-  for (std::size_t i = 0; i < set.size(); ++i) {
-    const Case& c = set.cases[i];
-    if (c.friction_value == FrictionValue::design || c.support != ArraySupport::isolated) continue;
-    auto& of_samples = points[{std::abs(value("roof", "slope_deg", c.slope_deg)),
-                               value("friction", "mu", c.friction_on(SlopeAxis::e_w)),
-                               value("building", "period_s", c.period_s)}];
-    of_samples.resize(set.samples);
-    of_samples[i / set.orientations % set.samples].push_back(i);
+/// The cases at each (slope, friction) of the chart, from their places in the case grid. A negative
+/// slope counts for its mirror image; of friction that is drawn the samples count, not the design
+/// value.
+std::vector<PointCases> cases_of_points(const Chart& chart, const CaseSet& set) {
+  const PointCases none(chart.period_s.size(), std::vector<std::vector<std::size_t>>(set.samples));
+  std::vector<PointCases> points(chart.slope_deg.size() * chart.mu.size(), none);
+  for (std::size_t combination = 0; combination < set.combinations(); ++combination) {
+    const Case& first = set.cases[set.index(combination, 0, 0)];
+    if (first.friction_value == FrictionValue::design || first.support != ArraySupport::isolated)
+      continue;
+    const std::vector<std::size_t> places = set.places(combination);
+    const auto place_in = [&](const std::vector<double>& of_chart, const char* key) {
+      const std::size_t axis = set.axis(key);
+      if (axis == set.axes.size()) return std::size_t{0};  // one value, or drawn
+      const double value = std::abs(set.axes[axis].values[places[axis]]);
+      return static_cast<std::size_t>(std::ranges::find(of_chart, value) - of_chart.begin());
+    };
+    const std::size_t slope = place_in(chart.slope_deg, "roof.slope_deg"),
+                      mu = place_in(chart.mu, "friction.mu"),
+                      period = place_in(chart.period_s, "building.period_s");
+    auto& of_samples = points[slope * chart.mu.size() + mu][period];
+    for (std::size_t sample = 0; sample < set.samples; ++sample)
+      for (std::size_t orientation = 0; orientation < set.orientations; ++orientation)
+        of_samples[sample].push_back(set.index(combination, sample, orientation));
   }
   return points;
 }
@@ -180,17 +183,14 @@ Chart ChartAnalysis::find(const StudyConfig& config, const Results& results) {
     if (slope >= 0.0) chart.slope_deg.push_back(slope);
   }
   const double factor = config.clearance.value_or(ClearanceConfig{}).factor;
-  const auto points = cases_of_points(config, results);
+  const std::vector<PointCases> points = cases_of_points(chart, results.cases);
   for (std::size_t level = 0; level < levels.size(); ++level) {
-    for (const double slope : chart.slope_deg) {
-      for (const double mu : chart.mu) {
-        PointCases cases;
-        for (const double period : chart.period_s) cases.push_back(points.at({slope, mu, period}));
-        chart.points.push_back(make_point(chart, results, cases, level,
+    auto cases = points.begin();
+    for (const double slope : chart.slope_deg)
+      for (const double mu : chart.mu)
+        chart.points.push_back(make_point(chart, results, *cases++, level,
                                           {.level = levels[level], .slope_deg = slope, .mu = mu},
                                           factor, options));
-      }
-    }
   }
   for (const ChartQuestion& question : chart_config.questions)
     chart.readings.push_back(read_off(chart, levels, question));
