@@ -134,7 +134,7 @@ AnalysisInFiles ChartAnalysis::in_files() {
                 "none", "a displacement, or the friction required for one, read off the chart"},
                {"without_target",
                 reads<&StudyConfig::chart, &ChartConfig::without_target>(),
-                "chart clearances also of a suite that does not meet its design spectrum: not "
+                "design displacements also of a suite that does not meet its design spectrum: not "
                 "for design",
                 {{"measure = \"mce_fraction\", or a building period above 2 s",
                   [](auto&, auto& s) {

@@ -27,7 +27,8 @@ Table sites_table(const SiteSheets& sheets) {
        text_column("required", "Largest required separation"), text_column("verdict", "Verdict"),
        text_column("folder", "Package")},
       {},
-      {"Friction: mean - 2 std. Verdict: on the clearances that are stated; open: see the "
+      {"Friction: mean - 2 std. Verdict: on the available separations that are stated; open: see "
+       "the "
        "page of the site."}};
   for (const SiteSheet& site : sheets.sites)
     table.add({site.name, fixed(site.sds_g, 3, "g"), fixed(site.sd1_g, 3, "g"),

@@ -131,13 +131,13 @@ std::string verdict_sentence(const CalculationPackage& package) {
       lacking += fmt::format("{}{} ({} short)", lacking.empty() ? "" : ", ", s.text(),
                              length_in(s.required.value_m - *s.available_m));
   }
-  if (known == 0) return "Available clearances are not stated.";
-  if (!lacking.empty()) return "Available clearances are NOT SUFFICIENT " + lacking + ".";
+  if (known == 0) return "Available separations are not stated.";
+  if (!lacking.empty()) return "Available separations are NOT SUFFICIENT " + lacking + ".";
   const std::string fails = of_standard(package.project, package.design).violated();
   if (!fails.empty()) return "NOT APPLICABLE: " + fails + ". " + approval_sentence;
   return open_items(package).empty()
-             ? "The available clearances are sufficient."
-             : "OPEN: no available clearance is below the required one, but the items listed here "
+             ? "The available separations are sufficient."
+             : "OPEN: no available separation is below the required one, but the items listed here "
                "are open.";
 }
 
@@ -375,7 +375,7 @@ std::string accepted_sentence(const DesignClearance& design) {
 Table compared_table(const CalculationPackage& package) {
   const DesignClearance& design = package.design;
   Table table{"compared",
-              "Probability that each available clearance is not sufficient",
+              "Probability that each available separation is not sufficient",
               {text_column("displacement", "Displacement"), share_column("dbe", "At DBE"),
                share_column("mce", "At MCE")},
               {}};
@@ -403,7 +403,7 @@ Table compared_table(const CalculationPackage& package) {
     table.add(std::move(cells));
   }
   table.notes.push_back(
-      "A clearance allows the displacement clearance / factor; between "
+      "A separation allows the displacement separation / factor; between "
       "similar arrays only where both slide alike. " +
       std::string(package.project.of_roof
                       ? ""

@@ -39,7 +39,7 @@ std::string separation_letter(std::size_t row);
 Table separations_table(const CalculationPackage& package);
 Table sensitivity_table(const CalculationPackage& package);
 Table exceedance_table(const CalculationPackage& package);
-/// The governing displacement and what the available clearances allow.
+/// The governing displacement and what the available separations allow.
 Table compared_table(const CalculationPackage& package);
 /// Of the roof, computed and by the standards.
 Table roof_accelerations_table(const CalculationPackage& package);
@@ -52,7 +52,7 @@ Table checks_table(const CalculationPackage& package);
 
 /// "10 % of the histories at the DBE exceed 8.2 in (95 % interval 3.1 in to 12.0 in)".
 std::string accepted_sentence(const DesignClearance& design);
-/// Why a clearance that is large enough is not called sufficient.
+/// Why a separation that is large enough is not called sufficient.
 std::vector<std::string> open_items(const CalculationPackage& package);
 /// Those of the calculation that are no open items.
 std::vector<std::string> shown_warnings(const CalculationPackage& package);
@@ -61,9 +61,9 @@ std::string governed_by(const CalculationPackage& package);
 /// How often the governing displacement is exceeded and what adds up over the design life; or which
 /// key of the project would give it.
 std::string hazard_sentence(const CalculationPackage& package);
-/// On the clearances that the project states.
+/// On the separations that the project states are available.
 std::string verdict_sentence(const CalculationPackage& package);
-/// Of one clearance: "sufficient", "open", "not applicable".
+/// Of one separation: "sufficient", "open", "not applicable".
 const char* verdict_where_wide_enough(const CalculationPackage& package);
 /// At the foot of each page: project, revision, and what it does not serve for.
 std::string footer_text(const CalculationPackage& package);

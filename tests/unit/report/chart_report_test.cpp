@@ -28,15 +28,15 @@ Table csv_chart(const Results& results) {
   return {};
 }
 
-// Levels that scale each record by itself: the factored mean is no clearance.
-TEST(chart_summary, of_a_measure_that_is_no_design_spectrum_names_no_clearance) {
+// Levels that scale each record by itself: the factored mean is nothing to design with.
+TEST(chart_summary, of_a_measure_that_is_no_design_spectrum_names_no_design_displacement) {
   Results results = made_up_chart_results();
   results.measure = IntensityMeasure::pga_g;
   EXPECT_EQ(csv_chart(results).columns[3].heading, "1.1 x mean slip, m (in)");
-  const auto clearance = Not(testing::ContainsRegex("[Cc]hart clearance"));
-  EXPECT_THAT(summary_text(results), clearance);
+  const auto no_design = Not(testing::ContainsRegex("[Dd]esign displacement"));
+  EXPECT_THAT(summary_text(results), no_design);
   for (const Figure& figure : make_figures(results))
-    EXPECT_THAT(figure.title + figure.caption, clearance) << figure.title;
+    EXPECT_THAT(figure.title + figure.caption, no_design) << figure.title;
 }
 
 TEST(chart_summary, reports_the_clearance_beside_what_is_prescribed_in_ascii) {
@@ -46,6 +46,7 @@ TEST(chart_summary, reports_the_clearance_beside_what_is_prescribed_in_ascii) {
   // 1.1 x 0.125 m; 60 (1 - 0.4)^2 = 21.6 in = 0.549 m = 3.99 x 0.1375 m.
   EXPECT_THAT(sentences[0], states(format_length(0.1375), "0.5 s"));
   EXPECT_THAT(sentences, Contains(states("SEAOC PV1-2012", format_length(0.54864), "3.99 x")));
+  EXPECT_THAT(sentences[1], states("Design displacement: 1.1 x the mean"));
   const std::string text = summary_text(results);
   for (const char c : text) EXPECT_LT(static_cast<unsigned char>(c), 128);
   EXPECT_THAT(text, states("0.138"));

@@ -22,7 +22,7 @@ double clearance_factor(const Results& results) {
 std::string design_name(const Results& results) {
   if (is_one_record(results)) return "peak slip";
   return results.measure.is_of_design_spectrum()
-             ? "chart clearance"
+             ? "design displacement"
              : fmt::format("{:g} x mean slip", clearance_factor(results));
 }
 
@@ -56,19 +56,20 @@ std::vector<ChartStatistic> chart_statistics(const Results& results) {
     peak.heading = "Peak slip of the record";
     return {peak};
   }
-  const bool is_clearance = design_name(results) == "chart clearance";
-  return {{is_clearance ? "clearance" : "factored_mean_slip",
-           is_clearance ? fmt::format("Chart clearance ({:g} x mean)", clearance_factor(results))
-                        : design_title(results),
-           design_name(results), [](const ChartPoint& p) { return p.clearance_m; },
-           &ChartReading::clearance},
-          {"mean_slip", "Mean over records", "mean",
-           [](const ChartPoint& p) { return p.largest.mean_m; }, &ChartReading::mean},
-          {"p84_slip", "84th percentile", "84th percentile",
-           [](const ChartPoint& p) { return p.largest.p84_m; }, &ChartReading::p84},
-          {"p95_slip", "95th percentile", "95th percentile",
-           [](const ChartPoint& p) { return p.largest.p95_m; }, &ChartReading::p95},
-          largest};
+  const bool is_design = results.measure.is_of_design_spectrum();
+  return {
+      {is_design ? "clearance" : "factored_mean_slip",
+       is_design ? fmt::format("{} ({:g} x mean)", design_title(results), clearance_factor(results))
+                 : design_title(results),
+       design_name(results), [](const ChartPoint& p) { return p.clearance_m; },
+       &ChartReading::clearance},
+      {"mean_slip", "Mean over records", "mean",
+       [](const ChartPoint& p) { return p.largest.mean_m; }, &ChartReading::mean},
+      {"p84_slip", "84th percentile", "84th percentile",
+       [](const ChartPoint& p) { return p.largest.p84_m; }, &ChartReading::p84},
+      {"p95_slip", "95th percentile", "95th percentile",
+       [](const ChartPoint& p) { return p.largest.p95_m; }, &ChartReading::p95},
+      largest};
 }
 
 std::size_t nearest(const std::vector<double>& axis, double value) {

@@ -17,13 +17,13 @@ bool is_one_record(const Results& results);
 /// A number of a chart that is read off: the clearance and the numbers with it.
 struct ChartStatistic {
   std::string stem;     ///< "clearance", "mean_slip": the CSV name without its unit
-  std::string heading;  ///< "Chart clearance (1.1 x mean)"
+  std::string heading;  ///< "Design displacement (1.1 x mean)"
   std::string name;     ///< in a sentence: "84th percentile"
   double (*slip_m)(const ChartPoint&);
   double ChartReading::*reading;
 };
-/// What is drawn where there is one curve for each of several: "chart clearance", "peak slip", or
-/// "1.1 x mean slip" where the levels scale the suite to no design spectrum.
+/// What is drawn where there is one curve for each of several: "design displacement", "peak slip",
+/// or "1.1 x mean slip" where the levels scale the suite to no design spectrum.
 std::string design_name(const Results& results);
 /// The same as the begin of a title.
 std::string design_title(const Results& results);

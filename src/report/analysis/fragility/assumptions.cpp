@@ -100,7 +100,7 @@ std::string vertical_text(const std::vector<RecordSummary>& records) {
 /// What a reader takes from the numbers: fragilities, or a chart.
 std::vector<Assumption> reading_assumptions(const Results& results) {
   if (results.chart) {
-    return {{"Chart clearance",
+    return {{"Design displacement",
              clearance_rule(results) +
                  ": a recommendation, not a bound, as single motions give more slip. Percentiles "
                  "are over records. Each is the largest over the building periods. Of one record "
