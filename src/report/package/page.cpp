@@ -6,7 +6,6 @@
 #include <algorithm>
 
 #include "analysis/hazard/hazard.hpp"
-#include "glissade/core/file.hpp"
 #include "glissade/report/format.hpp"
 #include "glissade/report/package.hpp"
 #include "glissade/report/site_sheets.hpp"
@@ -19,17 +18,9 @@
 #include "package/sketch.hpp"
 #include "package/tables.hpp"
 #include "package/units.hpp"
-#include "page/symbols.hpp"
 
 namespace glissade {
 namespace {
-
-Html warnings_html(const CalculationPackage& package) {
-  const std::vector<std::string> warnings = shown_warnings(package);
-  return warnings.empty()
-             ? Html()
-             : "<div class=\"warning\">\n<strong>Warnings</strong>\n" + list(warnings) + "</div>\n";
-}
 
 Html title_html(const Project& project) {
   return "<div class=\"title\">\n<div>\n" + wide_table(title_table(project)) +
@@ -164,8 +155,8 @@ SiteSheet site_sheet(const CalculationPackage& package, const std::string& folde
                           : "period " + range_text(building.period_s, " s") +
                                 (building.alpha.empty() ? ", one mass" : ", modes"),
           range_text(project.slope_deg, " degrees"), project.friction.mean, project.friction.std)) +
-      warnings_html(package) + paragraph("The whole calculation: " + folder + "/package.pdf.") +
-      "</section>\n";
+      warnings_box(shown_warnings(package)) +
+      paragraph("The whole calculation: " + folder + "/package.pdf.") + "</section>\n";
   return sheet;
 }
 
@@ -205,12 +196,13 @@ bool write_package(const CalculationPackage& package, const std::filesystem::pat
   const Html page =
       print_head(
           {project.title.name, "calculation of required separations", in_inches() ? letter : a4},
-          footer_text(package)) +
+          {project.title.name, project.title.revision, project.title.date,
+           /*is_simulated=*/package.files.empty()}) +
       paragraph(
           "Calculation of the seismic displacement of an unanchored rooftop solar array, and "
           "of its required separations") +
-      title_html(project) + answer_html(package) + warnings_html(package) + contents_html() +
-      scope_html(package) + section_heading(Section::criteria) +
+      title_html(project) + answer_html(package) + warnings_box(shown_warnings(package)) +
+      contents_html() + scope_html(package) + section_heading(Section::criteria) +
       plain_table(criteria_table(package)) + given_curves_html(project) +
       section_heading(Section::building) + plain_table(building_table(package)) +
       section_heading(Section::array) + "<div class=\"inputs\">\n" +
@@ -225,9 +217,8 @@ bool write_package(const CalculationPackage& package, const std::filesystem::pat
       section_heading(Section::plausibility) + page_table(roof_accelerations_table(package)) +
       by_hand_html(package) + section_heading(Section::provisions) +
       "<div class=\"provisions\">\n" + page_table(provisions_table(package)) + "</div>\n" +
-      checks_html(package) + references_html() + inputs_html(package) + page_foot();
-  write_text_file(out_dir / "package.html", with_symbols(page.str()));
-  return print_page(out_dir / "package.html");
+      checks_html(package) + references_html() + inputs_html(package);
+  return write_and_print(page, out_dir / "package.html");
 }
 
 }  // namespace glissade

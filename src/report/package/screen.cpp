@@ -120,8 +120,7 @@ std::string separation_lines(const CalculationPackage& package) {
   const DisplacementExceedance& governing = package.design.compared.front();
   for (const ExceedanceAt& e : {governing.dbe, governing.mce})
     text +=
-        fmt::format("  {}  {} (95 % interval {} to {}){}\n", e.level, format_share(e.probability),
-                    format_share(e.interval.low), format_share(e.interval.high),
+        fmt::format("  {}  {}{}{}\n", e.level, format_share(e.probability), in_brackets(e.interval),
                     package.project.of_roof ? "" : fmt::format(", period {:.3g} s", e.period_s));
   text += wrapped(accepted_sentence(package.design), terminal_width, 2) + "\n";
   return text +

@@ -3,13 +3,11 @@
 
 #include <algorithm>
 
-#include "glissade/core/file.hpp"
 #include "glissade/core/wrap.hpp"
 #include "package/print/pdf.hpp"
 #include "package/print/print_head.hpp"
 #include "package/print/workbook.hpp"
 #include "package/units.hpp"
-#include "page/symbols.hpp"
 
 namespace glissade {
 namespace {
@@ -56,15 +54,14 @@ bool write_site_sheets(const SiteSheets& sheets, const std::filesystem::path& ou
   const bool is_simulated = std::ranges::any_of(sheets.sites, &SiteSheet::is_simulated);
   Html page = print_head({sheets.name, "required separations by site",
                           sheets.units == UnitSystem::us_customary ? letter : a4},
-                         sheets.name + (is_simulated ? simulated_footer : "")) +
+                         {.name = sheets.name, .is_simulated = is_simulated}) +
               site_pages +
               paragraph(
                   "Seismic displacement of unanchored rooftop solar arrays, and their "
                   "required separations, by site") +
               wide_table(table);
   for (const SiteSheet& site : sheets.sites) page += site.page;
-  write_text_file(out_dir / "sites.html", with_symbols((page + page_foot()).str()));
-  return print_page(out_dir / "sites.html");
+  return write_and_print(page, out_dir / "sites.html");
 }
 
 }  // namespace glissade

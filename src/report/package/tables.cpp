@@ -171,13 +171,6 @@ Table demand_table(const CalculationPackage& package) {
   return package.project.of_roof ? table.without("period") : table;
 }
 
-std::string footer_text(const CalculationPackage& package) {
-  const TitleBlock& title = package.project.title;
-  return title.name + (title.revision.empty() ? "" : ", revision " + title.revision) +
-         (title.date.empty() ? "" : ", " + title.date) +
-         (package.files.empty() ? simulated_footer : "");
-}
-
 Table record_displacements_table(const CalculationPackage& package) {
   const DesignClearance& design = package.design;
   Table table{"record_displacements",

@@ -65,8 +65,6 @@ std::string hazard_sentence(const CalculationPackage& package);
 std::string verdict_sentence(const CalculationPackage& package);
 /// Of one separation: "sufficient", "open", "not applicable".
 const char* verdict_where_wide_enough(const CalculationPackage& package);
-/// At the foot of each page: project, revision, and what it does not serve for.
-std::string footer_text(const CalculationPackage& package);
 /// What a reader of percentiles must know.
 inline constexpr auto percentile_note =
     "A percentile is below the mean where few records slide far.";

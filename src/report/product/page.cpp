@@ -6,7 +6,6 @@
 #include <algorithm>
 
 #include "analysis/chart/view.hpp"
-#include "glissade/core/file.hpp"
 #include "glissade/core/wrap.hpp"
 #include "glissade/design/design_clearance.hpp"
 #include "glissade/report/format.hpp"
@@ -14,7 +13,6 @@
 #include "package/print/print_head.hpp"
 #include "package/print/workbook.hpp"
 #include "package/tables.hpp"
-#include "page/symbols.hpp"
 #include "product/tables.hpp"
 #include "text/study_text.hpp"
 
@@ -47,13 +45,6 @@ std::vector<Table> shown_tables(const ProductSheet& sheet) {
   if (sheet.targets.front().found.period_s.size() > 1)
     tables.push_back(displacements_by_period_table(sheet));
   return tables;
-}
-
-std::string footer_of(const ProductSheet& sheet) {
-  const Product& product = sheet.product;
-  return product.name + (product.revision.empty() ? "" : ", revision " + product.revision) +
-         (product.date.empty() ? "" : ", " + product.date) +
-         (sheet.is_simulated ? simulated_footer : "");
 }
 
 std::vector<std::string> basis_of(const ProductSheet& sheet) {
@@ -106,30 +97,25 @@ bool write_product_sheet(const ProductSheet& sheet, const std::filesystem::path&
   tables.push_back(motions);
   write_workbook(tables, out_dir / "product.xlsx");
   write_parts({"product.html", std::move(tables), {}}, out_dir, overwrite);
-  const std::vector<std::string> warnings = warnings_of(sheet);
   std::string plans;
   for (const SheetTarget& of : sheet.targets) plans += (plans.empty() ? "" : ", ") + of.plan_hash;
   const Html page =
       print_head(
           {product.name, "design displacements", product.unit == SheetUnit::metre ? a4 : letter},
-          footer_of(sheet)) +
+          {product.name, product.revision, product.date, sheet.is_simulated}) +
       paragraph("Design displacement of an unanchored rooftop solar array in an earthquake" +
                 (product.manufacturer.empty() ? "" : ". Manufacturer: " + product.manufacturer)) +
       "<div class=\"answer\">\n" + list({largest_sentence(sheet)}) + "</div>\n" +
-      (warnings.empty()
-           ? Html()
-           : "<div class=\"warning\">\n<strong>Warnings</strong>\n" + list(warnings) + "</div>\n") +
-      shown + heading("What the displacements rest on") + list(basis_of(sheet)) +
-      wide_table(motions) + heading("Program and input files") +
+      warnings_box(warnings_of(sheet)) + shown + heading("What the displacements rest on") +
+      list(basis_of(sheet)) + wide_table(motions) + heading("Program and input files") +
       paragraph(fmt::format(
           "glissade {} ({}); plans of the studies {}; product file SHA-256 {}, suite file SHA-256 "
           "{}. The same files and version give the same numbers. All digits are in "
           "tables/displacements.csv.",
           sheet.program_version, sheet.build, plans, sheet.product_sha256, sheet.suite_sha256)) +
       "<h3>Product file, without its comments</h3>\n" +
-      study_file(without_comments(product.source_text)) + page_foot();
-  write_text_file(out_dir / "product.html", with_symbols(page.str()));
-  return print_page(out_dir / "product.html");
+      study_file(without_comments(product.source_text));
+  return write_and_print(page, out_dir / "product.html");
 }
 
 }  // namespace glissade

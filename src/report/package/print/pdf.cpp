@@ -11,6 +11,10 @@
 #include <string>
 #include <system_error>
 
+#include "glissade/core/file.hpp"
+#include "page/page.hpp"
+#include "page/symbols.hpp"
+
 namespace glissade {
 namespace {
 
@@ -36,16 +40,17 @@ bool succeeds(std::array<std::string, 8> words) {
 
 }  // namespace
 
-bool print_page(const std::filesystem::path& html) {
+bool write_and_print(const Html& page, const std::filesystem::path& html) {
   namespace fs = std::filesystem;
-  const fs::path page = fs::absolute(html);
-  fs::path pdf = page, partial = page;
+  write_text_file(html, with_symbols((page + page_foot()).str()));
+  const fs::path whole = fs::absolute(html);
+  fs::path pdf = whole, partial = whole;
   pdf.replace_extension(".pdf");
   partial.replace_extension(".pdf.partial");
   std::error_code error;
   // Without a date in the fonts the same page gives the same bytes.
   if (succeeds({"env", "SOURCE_DATE_EPOCH=0", "weasyprint", "--quiet", "--pdf-variant", "pdf/ua-1",
-                page.string(), partial.string()}))
+                whole.string(), partial.string()}))
     fs::rename(partial, pdf, error);
   else
     error = std::make_error_code(std::errc::io_error);

@@ -3,10 +3,13 @@
 
 #include <filesystem>
 
+#include "glissade/report/html_text.hpp"
+
 namespace glissade {
 
-/// Prints a page with WeasyPrint: PAGE.pdf beside PAGE.html, tagged (PDF/UA). False where it is not
-/// installed or does not succeed.
-bool print_page(const std::filesystem::path& html);
+/// Writes a page, of which the foot is still missing, with its symbols set; and prints it with
+/// WeasyPrint: PAGE.pdf beside PAGE.html, tagged (PDF/UA). False where that is not installed or
+/// does not succeed.
+bool write_and_print(const Html& page, const std::filesystem::path& html);
 
 }  // namespace glissade

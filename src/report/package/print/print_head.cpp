@@ -28,9 +28,20 @@ caption { font-weight: bold; color: #222; } .note { font-weight: normal; }
 
 }  // namespace
 
-Html print_head(const PageTitle& title, const std::string& footer) {
+Html print_head(const PageTitle& title, const Footer& footer) {
+  const auto [name, revision, date, is_simulated] = footer;
   return page_head(title) + "<style>" + style + "</style>\n" +
-         enclosed("<p class=\"footer\">", footer, "</p>\n");
+         enclosed("<p class=\"footer\">",
+                  name + (revision.empty() ? "" : ", revision " + revision) +
+                      (date.empty() ? "" : ", " + date) +
+                      (is_simulated ? ". SIMULATED MOTIONS: NOT FOR A PERMIT" : ""),
+                  "</p>\n");
+}
+
+Html warnings_box(const std::vector<std::string>& warnings) {
+  return warnings.empty()
+             ? Html()
+             : "<div class=\"warning\">\n<strong>Warnings</strong>\n" + list(warnings) + "</div>\n";
 }
 
 std::string without_comments(const std::string& toml) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "page/page.hpp"
 
@@ -10,11 +11,15 @@ namespace glissade {
 inline constexpr Markup letter = "@page { size: letter; } @page wide { size: letter landscape; }";
 inline constexpr Markup a4 = "@page { size: A4; } @page wide { size: A4 landscape; }";
 
-/// All up to and with the <h1> of a page to be printed. @param footer at the foot of each page
-Html print_head(const PageTitle& title, const std::string& footer);
-
-/// At the foot of each page.
-inline constexpr const char* simulated_footer = ". SIMULATED MOTIONS: NOT FOR A PERMIT";
+/// What stands at the foot of each page.
+struct Footer {
+  std::string name, revision = {}, date = {};  ///< the last two may be empty
+  bool is_simulated = false;                   ///< the motions are: the page says so
+};
+/// All up to and with the <h1> of a page to be printed.
+Html print_head(const PageTitle& title, const Footer& footer);
+/// Nothing of none.
+Html warnings_box(const std::vector<std::string>& warnings);
 
 /// A file without its comments, which are those of an example.
 std::string without_comments(const std::string& toml);
