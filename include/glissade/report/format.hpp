@@ -52,6 +52,8 @@ double in_first_unit(double length_m);
 std::string format_share(double share);
 /// "0.76 to 0.93"; "no interval" where an end is NaN.
 std::string format_interval(const Interval& interval);
+/// " (95 % interval 8.1 % to 17 %)" of a share; "" where an end is NaN.
+std::string in_brackets(const Interval& of_share);
 /// "p = 0.12"; "p <= 0.005" of the least that a goodness of fit can have.
 std::string format_p(double p_value);
 /// The same as a cell of a table: "0.12", "<= 0.005".
@@ -61,6 +63,8 @@ NumberCell p_cell(double p_value);
 std::string standard_name(Standard standard);
 /// "checked", or "recalled: verify against the standard".
 std::string provenance_label(Provenance provenance);
+/// " (recalled: verify against the standard)"; "" of what was checked.
+std::string recalled_in_brackets(Provenance provenance);
 
 /// "1234 histories ...: why"; without the number where nothing was counted.
 std::string format_skip(const Skip& skip);

@@ -39,6 +39,8 @@ struct Column {
 
 /// A column of text.
 Column text_column(std::string stem, std::string heading, std::string description = "");
+/// The same, but not on a terminal.
+Column detail(Column column);
 
 /// How many digits people read.
 struct Digits {
@@ -80,9 +82,14 @@ struct Table {
   void add(std::vector<Cell> row);
   /// The same table without a column.
   Table without(const std::string& stem) const;
+  /// The same table with some columns alone, in this order.
+  Table only(const std::vector<std::string>& stems) const;
   /// Its first rows; where it has more, a note says that all are in tables/`file`.csv.
   Table first_rows(std::size_t most, const FileName& file) const;
 };
+
+/// The same table in words of a roof's motions: PGA is the peak roof acceleration.
+Table in_words_of_roof(Table table);
 
 /// The names of a column in files, unit included: one, or with its interval three.
 std::vector<std::string> file_names(const Column& column);

@@ -14,11 +14,6 @@
 namespace glissade::cli {
 namespace {
 
-Column detail(Column column) {
-  column.detail = true;
-  return column;
-}
-
 double given(double value) { return value > 0.0 ? value : std::nan(""); }
 
 const char* processing(const RecordHeader& header) {

@@ -7,7 +7,7 @@
 
 #include "glissade/core/units.hpp"
 #include "glissade/motion/intensity.hpp"
-#include "glissade/report/roof_table.hpp"
+#include "glissade/report/table.hpp"
 
 namespace glissade::cli {
 namespace {

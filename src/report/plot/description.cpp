@@ -8,9 +8,7 @@
 #include "plot/labels.hpp"
 
 namespace glissade {
-namespace {
 
-/// As a reader of the axis says it.
 std::string value_on(const Axis& axis, double value) {
   if (!axis.length.empty()) return format_length(value);
   if (axis.values == Axis::Values::shares) return format_share(value);
@@ -20,6 +18,8 @@ std::string value_on(const Axis& axis, double value) {
         ->label;
   return format_number(value);
 }
+
+namespace {
 
 /// "m/M 0.05: 0.131 m (5.16 in) at 0.2, 0.0480 m (1.89 in) at 2, largest 0.298 m (11.7 in) at 1."
 std::string line_text(const Panel& panel, const DataSeries& series) {

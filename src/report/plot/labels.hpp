@@ -18,6 +18,9 @@ struct PanelSize {
 /// entry stays where the label is too long for it.
 void label_lines(Panel& panel, const PanelSize& size);
 
+/// As a reader of the axis says it: "0.131 m (5.16 in)", "12 %", a name.
+std::string value_on(const Axis& axis, double value);
+
 /// What is to be seen, for who does not see it: axes, and of each line its ends and its largest
 /// value.
 std::string description_of(const Figure& figure);

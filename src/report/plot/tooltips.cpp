@@ -15,23 +15,12 @@ namespace {
 
 /// "Building period (s) 1.23"; a length in both units.
 std::string value_text(const Axis& axis, double value) {
-  switch (axis.values) {
-    case Axis::Values::names: {
-      const auto nearest = std::ranges::min_element(
-          axis.ticks, {}, [&](const Tick& tick) { return std::abs(tick.at - value); });
-      const std::string name = nearest == axis.ticks.end() ? "" : nearest->label;
-      return axis.label.empty() ? name : axis.label + ": " + name;
-    }
-    case Axis::Values::logarithms:
-      return axis.label + (value > axis.low ? " " : " at most ") +
-             format_number(std::max(value, axis.low));
-    case Axis::Values::shares:
-      return axis.label + " " + format_share(value);
-    case Axis::Values::numbers:
-      break;
-  }
-  if (!axis.length.empty()) return axis.length + " " + format_length(value);
-  return axis.label + " " + format_number(value);
+  const std::string& label = axis.length.empty() ? axis.label : axis.length;
+  const char* link = axis.values == Axis::Values::names ? (label.empty() ? "" : ": ")
+                     : axis.values == Axis::Values::logarithms && value <= axis.low ? " at most "
+                                                                                    : " ";
+  const bool is_below = axis.values == Axis::Values::logarithms && value < axis.low;
+  return label + link + value_on(axis, is_below ? axis.low : value);
 }
 
 bool is_shown(const Axis& axis, double value) {

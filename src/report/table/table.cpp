@@ -16,7 +16,6 @@
 #include "glissade/core/wrap.hpp"
 #include "glissade/motion/roof_words.hpp"
 #include "glissade/report/format.hpp"
-#include "glissade/report/roof_table.hpp"
 
 namespace glissade {
 namespace {
@@ -179,6 +178,11 @@ Column text_column(std::string stem, std::string heading, std::string descriptio
   return {std::move(stem), "", std::move(heading), ColumnKind::text, std::move(description)};
 }
 
+Column detail(Column column) {
+  column.detail = true;
+  return column;
+}
+
 void Table::add(std::vector<Cell> row) {
   GLISSADE_EXPECTS(std::ranges::equal(columns, row, belongs_in));
   rows.push_back(std::move(row));
@@ -191,15 +195,35 @@ Table in_words_of_roof(Table table) {
   return table;
 }
 
-Table Table::without(const std::string& stem) const {
-  Table rest{name,  title,        {},   std::vector<std::vector<Cell>>(rows.size()),
-             notes, is_of_inputs, suite};
-  for (std::size_t c = 0; c < columns.size(); ++c) {
-    if (columns[c].stem == stem) continue;
-    rest.columns.push_back(columns[c]);
-    for (std::size_t r = 0; r < rows.size(); ++r) rest.rows[r].push_back(rows[r][c]);
+namespace {
+
+Table with_columns(const Table& all, const std::vector<std::size_t>& places) {
+  Table some{all.name,  all.title,        {},       std::vector<std::vector<Cell>>(all.rows.size()),
+             all.notes, all.is_of_inputs, all.suite};
+  for (const std::size_t place : places) {
+    some.columns.push_back(all.columns[place]);
+    for (std::size_t r = 0; r < all.rows.size(); ++r) some.rows[r].push_back(all.rows[r][place]);
   }
-  return rest;
+  return some;
+}
+
+}  // namespace
+
+Table Table::without(const std::string& stem) const {
+  std::vector<std::size_t> places;
+  for (std::size_t c = 0; c < columns.size(); ++c)
+    if (columns[c].stem != stem) places.push_back(c);
+  return with_columns(*this, places);
+}
+
+Table Table::only(const std::vector<std::string>& stems) const {
+  std::vector<std::size_t> places;
+  for (const std::string& stem : stems) {
+    const auto found = std::ranges::find(columns, stem, &Column::stem);
+    GLISSADE_EXPECTS(found != columns.end());
+    places.push_back(static_cast<std::size_t>(found - columns.begin()));
+  }
+  return with_columns(*this, places);
 }
 
 Table Table::first_rows(std::size_t most, const FileName& file) const {

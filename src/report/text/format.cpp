@@ -100,6 +100,12 @@ std::string format_share(double share) {
   return fmt::format("{:.0f} %", percent);
 }
 
+std::string in_brackets(const Interval& of_share) {
+  if (std::isnan(of_share.low + of_share.high)) return "";
+  return fmt::format(" (95 % interval {} to {})", format_share(of_share.low),
+                     format_share(of_share.high));
+}
+
 std::string format_p(double p_value) {
   return fmt::format("p {} {:.2g}", p_value > least_p_value ? "=" : "<=", p_value);
 }
@@ -129,6 +135,10 @@ std::string standard_name(Standard standard) {
 
 std::string provenance_label(Provenance provenance) {
   return provenance == Provenance::checked ? "checked" : "recalled: verify against the standard";
+}
+
+std::string recalled_in_brackets(Provenance provenance) {
+  return provenance == Provenance::checked ? "" : " (" + provenance_label(provenance) + ")";
 }
 
 std::string format_skip(const Skip& skip) {

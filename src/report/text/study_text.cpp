@@ -137,6 +137,11 @@ std::size_t combination_of(const Results& results, const RunResults& run) {
   return run.first_case / std::max<std::size_t>(1, results.cases.per_combination());
 }
 
+const SlipStatistics* slip_at(const RunResults& run, double level) {
+  const auto found = std::ranges::find(run.slip, level, &SlipStatistics::level);
+  return found == run.slip.end() ? nullptr : &*found;
+}
+
 std::string run_name(const Results& results, const RunResults& run) {
   const std::string listed = results.cases.describe(combination_of(results, run));
   return listed.empty() ? run.label + " friction" : listed;
@@ -222,6 +227,14 @@ std::string cases_below(const Results& results, CaseSlice cases) {
                                          : "buildings of T " + periods + " s" +
                                   (results.model.modes.empty() ? "" : " with several modes")) +
          (ratio.empty() ? "" : ", m/M " + ratio);
+}
+
+std::string range_of(const std::vector<Case>& cases, double Case::*quantity, double scale) {
+  const auto [low, high] = std::ranges::minmax(cases, {}, quantity);
+  const std::string first = fmt::format("{:.3g}", scale * low.*quantity);
+  return low.*quantity == high.*quantity
+             ? first
+             : fmt::format("{} to {:.3g}", first, scale * high.*quantity);
 }
 
 std::string run_below(const Results& results, const RunResults& run) {

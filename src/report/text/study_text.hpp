@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -35,6 +36,16 @@ inline const Column run_column = text_column("run", "Combination", "label in `co
                                                    "which combination of what the study lists");
 inline const Column threshold_column = {"threshold", "m", "Clearance, m (in)", ColumnKind::length,
                                         "clearance threshold"};
+inline const Column slope_column = {"slope", "deg", "Slope, degrees", ColumnKind::number,
+                                    "slope of the roof"};
+/// A standard, what it prescribes at which S_DS, and how well that is known.
+inline const Column standard_column = text_column("standard", "Standard", "standard"),
+                    sds_column = {"sds", "g", "S_DS, g", ColumnKind::number,
+                                  "design spectral acceleration S_DS"},
+                    prescribed_column = {"prescribed", "m", "Prescribed, m (in)",
+                                         ColumnKind::length, "prescribed displacement"},
+                    provision_column =
+                        text_column("provision", "Provision", "how well the provision is known");
 /// The column of a quantity: "Building period, s".
 Column listed_column(const CaseAxis& axis);
 Column listed_column(const Parameter& parameter);
@@ -57,6 +68,8 @@ std::string counted(std::size_t count, const std::string& one);
 std::string counts_of(const Results& results);
 /// Which combination of what the study lists a run is.
 std::size_t combination_of(const Results& results, const RunResults& run);
+/// Of a run, at a level; null where it is not one of its levels.
+const SlipStatistics* slip_at(const RunResults& run, double level);
 /// What a run is in words: "sampled friction, building period 0.5 s".
 std::string run_name(const Results& results, const RunResults& run);
 /// Which of the frictions of a sample a run has.
@@ -87,6 +100,18 @@ std::string friction_of(const Results& results, const RunResults& run);
 /// degrees, buildings of T 0.2 to 2 s, m/M 0.05". Of a run also its friction.
 std::string cases_below(const Results& results, CaseSlice cases);
 std::string run_below(const Results& results, const RunResults& run);
+/// "0.2 to 1": a quantity of the cases, times a scale.
+std::string range_of(const std::vector<Case>& cases, double Case::*quantity, double scale = 1.0);
+/// Neighbouring rows that are of one kind.
+template <class Row>
+std::vector<std::span<const Row>> groups_of(const std::vector<Row>& rows, const auto& are_of_one) {
+  std::vector<std::span<const Row>> groups;
+  for (std::size_t first = 0, end = 0; first < rows.size(); first = end) {
+    while (end < rows.size() && are_of_one(rows[first], rows[end])) ++end;
+    groups.emplace_back(rows.data() + first, end - first);
+  }
+  return groups;
+}
 /// Up to `count` of the levels, spread evenly, the highest included.
 std::vector<double> some_levels(const std::vector<double>& levels, std::size_t count);
 

@@ -47,10 +47,9 @@ std::string standard_sentence(const Results& results, const ChartPrescription& p
   const double design_m = design_statistic(results).slip_m(p);
   const bool applies = applies_at(prescription.standard, p.slope_deg, p.mu);
   std::string sentence =
-      fmt::format("{} prescribes {}{}", standard_name(prescription.standard),
-                  format_length(prescription.prescribed.value_m), applies ? " there" : "");
-  if (prescription.prescribed.provenance == Provenance::recalled)
-    sentence += " (recalled: verify against the standard)";
+      fmt::format("{} prescribes {}{}{}", standard_name(prescription.standard),
+                  format_length(prescription.prescribed.value_m), applies ? " there" : "",
+                  recalled_in_brackets(prescription.prescribed.provenance));
   if (!applies) sentence += ", but not there: it is for " + limits_of(prescription.standard);
   if (std::isfinite(design_m) && design_m > 0.0) {
     sentence += fmt::format("{} {} x {}", applies ? "," : ". That is",

@@ -18,8 +18,6 @@ namespace {
 constexpr auto gravity_note =
     "inf: friction cannot stop the array (tan(slope) >= mu), no clearance is enough.";
 
-const Column slope_column = {"slope", "deg", "Slope, degrees", ColumnKind::number,
-                             "slope of the roof"};
 const Column mu_column = {"mu", "", "Friction", ColumnKind::number, "coefficient of friction"};
 
 Column length_column(const ChartStatistic& statistic) {
@@ -183,9 +181,9 @@ Table chart_standards_table(const Results& results) {
       title_of_levels(fmt::format("Displacements prescribed by standards beside the chart at {}.",
                                   at_slope_and_friction(chart.shown_slope_deg, chart.shown_mu)),
                       results),
-      {text_column("standard", "Standard", "standard"),
-       {"sds", "g", "S_DS, g", ColumnKind::number, "design spectral acceleration S_DS"},
-       {"prescribed", "m", "Prescribed, m (in)", ColumnKind::length, "prescribed displacement"},
+      {standard_column,
+       sds_column,
+       prescribed_column,
        length_column(design),
        {"above_share", "", "Points where more is needed", ColumnKind::share,
         "share of the points to which the standard applies that need more"},

@@ -8,39 +8,20 @@
 
 #include "analysis/chart/view.hpp"
 #include "glissade/report/format.hpp"
+#include "text/study_text.hpp"
 
 namespace glissade {
 namespace {
 
-template <class T>
-struct Range {
-  T min{}, max{};
-  bool is_one_value() const { return min == max; }
-};
-
-template <class T>
-Range<T> range_of(const std::vector<Case>& cases, T Case::*member) {
-  Range<T> range{cases.front().*member, cases.front().*member};
-  for (const Case& c : cases) {
-    range.min = std::min(range.min, c.*member);
-    range.max = std::max(range.max, c.*member);
-  }
-  return range;
-}
-
-std::string range_text(const Range<double>& range, const std::string& unit) {
-  const std::string high = format_number(range.max) + unit;
-  return range.is_one_value() ? high : format_number(range.min) + " to " + high;
-}
-
 std::string building_text(const Results& results) {
   const std::vector<Case>& cases = results.cases.cases;
-  const Range<double> period = range_of(cases, &Case::period_s);
+  const auto largest_of = [&](double Case::*quantity) {
+    return std::ranges::max(cases, {}, quantity).*quantity;
+  };
   if (results.suites.front().of_roof)
     return "In the motions, which are those of its roof: no building is computed.";
-  if (period.max == 0.0) return "Rigid: the roof moves as the ground does.";
+  if (largest_of(&Case::period_s) == 0.0) return "Rigid: the roof moves as the ground does.";
   const bool yields = !results.model.building.empty();
-  const Range<double> mass = range_of(cases, &Case::mass_ratio);
   const std::string model =
       results.model.modes.empty()
           ? fmt::format("A {}single-degree-of-freedom oscillator{} ({}no higher modes), one storey",
@@ -49,12 +30,12 @@ std::string building_text(const Results& results) {
                         yields ? "" : "no yielding, ")
           : "Linear, no yielding. It is " + results.model.modes + ",";
   return fmt::format(
-      "{} with first periods of {} and damping ratios of {}. {}{}", model, range_text(period, " s"),
-      range_text(range_of(cases, &Case::damping), ""), results.model.building,
-      mass.max == 0.0
+      "{} with first periods of {} s and damping ratios of {}. {}{}", model,
+      range_of(cases, &Case::period_s), range_of(cases, &Case::damping), results.model.building,
+      largest_of(&Case::mass_ratio) == 0.0
           ? "The array's mass is neglected: it does not change the building's motion."
           : fmt::format("The array's mass acts back on it: array over building mass {}.",
-                        range_text(mass, "")));
+                        range_of(cases, &Case::mass_ratio)));
 }
 
 /// The different values that a function of the orientation takes over the cases.
@@ -127,8 +108,7 @@ std::vector<Assumption> reading_assumptions(const Results& results) {
 }
 
 std::string roof_text(const Results& results) {
-  return "A plane with a slope of " +
-         range_text(range_of(results.cases.cases, &Case::slope_deg), " degrees") + ".";
+  return "A plane with a slope of " + range_of(results.cases.cases, &Case::slope_deg) + " degrees.";
 }
 
 }  // namespace

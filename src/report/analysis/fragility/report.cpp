@@ -104,19 +104,14 @@ const RunResults& most_exceeding(const Results& results, std::size_t row) {
     const RunResults& run = results.runs[i];
     if (row >= run.standards.size()) return std::pair(-1.0, 0.0);  // a file may lack them
     const StandardComparison& comparison = run.standards[row];
-    const auto slip = std::ranges::find(run.slip, comparison.sds_g, &SlipStatistics::level);
-    return std::pair(comparison.exceedance_probability, slip != run.slip.end() ? slip->p95_m : 0.0);
+    const SlipStatistics* slip = slip_at(run, comparison.sds_g);
+    return std::pair(comparison.exceedance_probability, slip != nullptr ? slip->p95_m : 0.0);
   })];
 }
 
 std::string standard_sentence(const Results& results, std::size_t row) {
   const RunResults& run = most_exceeding(results, row);
   const StandardComparison& comparison = run.standards[row];
-  const Interval& interval = comparison.exceedance_interval;
-  const std::string range = std::isnan(interval.low) ? ""
-                                                     : fmt::format(" (95 % interval {} to {})",
-                                                                   format_share(interval.low),
-                                                                   format_share(interval.high));
   const std::string combination =
       lists_more_than_friction_value(results)
           ? fmt::format(", in the combination where most do ({})", run_name(results, run))
@@ -125,10 +120,9 @@ std::string standard_sentence(const Results& results, std::size_t row) {
                      standard_name(comparison.standard),
                      format_length(comparison.prescribed.value_m),
                      at_intensity(results, comparison.sds_g),
-                     comparison.prescribed.provenance == Provenance::recalled
-                         ? " (recalled: verify against the standard)"
-                         : "",
-                     format_share(comparison.exceedance_probability), range, combination);
+                     recalled_in_brackets(comparison.prescribed.provenance),
+                     format_share(comparison.exceedance_probability),
+                     in_brackets(comparison.exceedance_interval), combination);
 }
 
 std::string other_run_sentence(const Results& results, const RunResults& run) {
@@ -154,9 +148,9 @@ std::string brief_standards(const Results& results) {
                           lists_more_than_friction_value(results)
                               ? "each row of the combination that exceeds it most often"
                               : friction_of(results, results.runs.front())),
-              {{"standard", "", "Standard", ColumnKind::text},
-               {"sds", "g", "S_DS, g", ColumnKind::number},
-               {"prescribed", "m", "Prescribed, m (in)", ColumnKind::length},
+              {standard_column,
+               sds_column,
+               prescribed_column,
                {"median_slip", "m", "Median, m (in)", ColumnKind::length},
                {"p95_slip", "m", "95th, m (in)", ColumnKind::length},
                {"exceedance_share", "", "Slip > prescribed", ColumnKind::share}},
@@ -165,10 +159,8 @@ std::string brief_standards(const Results& results) {
   for (std::size_t row = 0; row < results.runs.front().standards.size(); ++row) {
     const RunResults& run = most_exceeding(results, row);
     const StandardComparison& comparison = run.standards[row];
-    const auto slip = std::find_if(run.slip.begin(), run.slip.end(),
-                                   [&](const auto& s) { return s.level == comparison.sds_g; });
-    if (slip == run.slip.end() || std::count(chosen.begin(), chosen.end(), comparison.sds_g) == 0)
-      continue;
+    const SlipStatistics* slip = slip_at(run, comparison.sds_g);
+    if (slip == nullptr || std::ranges::count(chosen, comparison.sds_g) == 0) continue;
     table.add({standard_name(comparison.standard), comparison.sds_g, comparison.prescribed.value_m,
                slip->median_m, slip->p95_m, comparison.exceedance_probability});
     if (comparison.prescribed.provenance != Provenance::checked)
@@ -202,15 +194,11 @@ std::string fit_remarks(const Table& fits) {
   return text;
 }
 
-Table shown_earthquakes_table(const Results& results) {
-  const Table table = earthquakes_table(results);
-  return lists_more_than_friction_value(results) ? table.without("run") : table;
-}
-
 std::string fragility_summary(const Results& results) {
   constexpr std::size_t most = 24;
   const Table fits = fragility_summary_table(results).first_rows(most, "fragility"),
-              at = shown_earthquakes_table(results).first_rows(most, "earthquakes");
+              at = without_run_key(results, earthquakes_table(results))
+                       .first_rows(most, "earthquakes");
   std::string text = to_text(fits) + fit_remarks(fits);
   if (!at.rows.empty()) text += "\n" + to_text(at);
   if (!results.runs.empty() && !results.runs.front().standards.empty()) {
@@ -267,7 +255,7 @@ std::vector<Table> tables(const Results& results) {
 }
 
 Html section(const Results& results) {
-  const Table at = shown_earthquakes_table(results);
+  const Table at = without_run_key(results, earthquakes_table(results));
   Table fits = fragility_table(results);
   for (const char* stem : {"interval_method", "fit_method", "log_likelihood"})
     fits = fits.without(stem);

@@ -37,10 +37,26 @@ NumberCell p50_of(const FitSummary& fit) {
 
 Estimate floor_of(const FitSummary& fit) { return {fit.curve.floor, fit.floor_interval}; }
 
-constexpr const char* median_description =
-    "median of the lognormal fragility of the histories that need shaking; with status lower or "
-    "upper bound, the bound";
-constexpr const char* p50_description = "intensity at which half of all exceed";
+Column median_column(const Results& results) {
+  return intensity_column(results, "median", "Median",
+                          "median of the lognormal fragility of the histories that need shaking; "
+                          "with status lower or upper bound, the bound",
+                          true);
+}
+Column p50_column(const Results& results, const char* heading) {
+  return intensity_column(results, "p50", heading, "intensity at which half of all exceed", true);
+}
+const Column log_std_column{"log_std",
+                            "",
+                            "Log std [95 %]",
+                            ColumnKind::number,
+                            "logarithmic standard deviation; of a bound: as assumed",
+                            true},
+    censored_column{"censored_share", "", "Never reached", ColumnKind::share,
+                    "share of histories that never reach the threshold"},
+    method_column =
+        text_column("method", "Fitted on", "which of the two fits: on stripes or on capacities"),
+    status_column = text_column("status", "Fit", "how the fit came out");
 
 /// Share of records of which any sample falls below the threshold again at a higher level.
 double record_recross_share(const ThresholdFragility& fragility) {
@@ -90,6 +106,12 @@ std::string crossing_note(const Results& results) {
       crossings.size() > 1 ? fmt::format(" and {} more", crossings.size() - 1) : "");
 }
 
+/// Of every run and threshold.
+void for_each_fragility(std::span<const RunResults> runs, const auto& put) {
+  for (const RunResults& run : runs)
+    for (const ThresholdFragility& fragility : run.fragilities) put(run, fragility);
+}
+
 double histories_at(const Results& results, const RunResults& run, std::size_t level) {
   return static_cast<double>(results.histories.records_at(level) * run.cases);
 }
@@ -121,34 +143,30 @@ Table fragility_table(const Results& results) {
           measured_by(results) + "log_std and shares are dimensionless. " + in_plan(results),
       {run_column,
        threshold_column,
-       text_column("method", "Fitted on", "which of the two fits: on stripes or on capacities"),
-       intensity_column(results, "median", "Median", median_description, true),
-       {"log_std", "", "Log std [95 %]", ColumnKind::number,
-        "logarithmic standard deviation; of a bound: as assumed", true},
-       text_column("status", "Fit", "how the fit came out"),
+       method_column,
+       median_column(results),
+       log_std_column,
+       status_column,
        {"lognormal_p", "", "Lognormal, p", ColumnKind::number,
         "goodness of fit of the lognormal, p; nan: no test"},
        {"recross_share", "", "Histories that recross", ColumnKind::share,
         "share of histories that reach the threshold and fall below it again at a higher level"},
        {"record_recross_share", "", "Records that recross", ColumnKind::share,
         "share of records of which any history recrosses"},
-       {"censored_share", "", "Never reached", ColumnKind::share,
-        "share of histories that never reach the threshold"},
+       censored_column,
        {"free_sliding_share", "", "Slides freely, p0 [95 %]", ColumnKind::share,
         "p0, the share that slides without shaking", true},
-       intensity_column(results, "p50", "p50", p50_description, true),
+       p50_column(results, "p50"),
        text_column("interval_method", "Intervals by", "how the intervals were found"),
        text_column("note", "Note", "remarks on the fit"),
        text_column("fit_method", "Method", "how it was fitted"),
        {"log_likelihood", "", "Log likelihood", ColumnKind::number, "logarithm of the likelihood"}},
       {}};
-  for (const RunResults& run : results.runs) {
-    for (const ThresholdFragility& fragility : run.fragilities) {
-      add_fragility_row(table, run, fragility, "stripes", fragility.stripes);
-      if (!fragility.on_stripes)
-        add_fragility_row(table, run, fragility, "capacities", fragility.capacities);
-    }
-  }
+  for_each_fragility(results.runs, [&](const RunResults& run, const ThresholdFragility& fragility) {
+    add_fragility_row(table, run, fragility, "stripes", fragility.stripes);
+    if (!fragility.on_stripes)
+      add_fragility_row(table, run, fragility, "capacities", fragility.capacities);
+  });
   return without_capacities(results, with_listed(results, table));
 }
 
@@ -184,13 +202,11 @@ Table goodness_of_fit_table(const Results& results) {
         "largest difference of observed share and curve"},
        intensity_column(results, "gap_at", "there", "intensity at which the gap is largest")},
       {}};
-  for (const RunResults& run : results.runs) {
-    for (const ThresholdFragility& fragility : run.fragilities) {
-      const GoodnessOfFit& fit = fragility.lognormal;
-      table.add({run.label, fragility.threshold_m, p_cell(fit.p_value), fit.distance,
-                 fit.correlation, fit.largest_gap, fit.gap_intensity});
-    }
-  }
+  for_each_fragility(results.runs, [&](const RunResults& run, const ThresholdFragility& fragility) {
+    const GoodnessOfFit& fit = fragility.lognormal;
+    table.add({run.label, fragility.threshold_m, p_cell(fit.p_value), fit.distance, fit.correlation,
+               fit.largest_gap, fit.gap_intensity});
+  });
   return with_listed(results, table);
 }
 
@@ -207,16 +223,14 @@ Table fragility_band_table(const Results& results, std::span<const RunResults> r
                                    : "of exceeding the threshold, by the fit on capacities",
                 true}},
               {}};
-  for (const RunResults& run : runs) {
-    for (const ThresholdFragility& fragility : run.fragilities) {
-      const std::vector<Interval>& band = fragility.curve_fit().band;
-      for (std::size_t i = 0; i < band.size(); ++i) {
-        const double intensity = run.band_intensities[i];
-        table.add({run.label, fragility.threshold_m, intensity,
-                   Estimate{fragility.curve_fit().curve.probability(intensity), band[i]}});
-      }
+  for_each_fragility(runs, [&](const RunResults& run, const ThresholdFragility& fragility) {
+    const std::vector<Interval>& band = fragility.curve_fit().band;
+    for (std::size_t i = 0; i < band.size(); ++i) {
+      const double intensity = run.band_intensities[i];
+      table.add({run.label, fragility.threshold_m, intensity,
+                 Estimate{fragility.curve_fit().curve.probability(intensity), band[i]}});
     }
-  }
+  });
   return with_listed(results, table);
 }
 
@@ -227,14 +241,12 @@ Table recrossing_table(const Results& results) {
                   measured_by(results) + in_plan(results),
               {run_column, threshold_column, text_column("record", "Record", "id of the record")},
               {}};
-  for (const RunResults& run : results.runs) {
-    for (const ThresholdFragility& fragility : run.fragilities) {
-      for (std::size_t r = 0; r < fragility.record_recross.size(); ++r) {
-        if (fragility.record_recross[r] > 0.0)
-          table.add({run.label, fragility.threshold_m, results.records[r].id});
-      }
+  for_each_fragility(results.runs, [&](const RunResults& run, const ThresholdFragility& fragility) {
+    for (std::size_t r = 0; r < fragility.record_recross.size(); ++r) {
+      if (fragility.record_recross[r] > 0.0)
+        table.add({run.label, fragility.threshold_m, results.records[r].id});
     }
-  }
+  });
   return with_listed(results, table);
 }
 
@@ -248,38 +260,30 @@ std::vector<std::string> friction_names(const Results& results) {
 }
 
 Table fragility_summary_table(const Results& results) {
-  Table table{
-      "fragility_summary",
-      "Fragility by clearance: intensity with a 50 % chance of exceedance." + measured_by(results) +
-          in_plan(results),
-      {run_column,
-       threshold_column,
-       intensity_column(results, "median", "Median", median_description, true),
-       {"log_std", "", "Log std [95 %]", ColumnKind::number,
-        "logarithmic standard deviation; of a bound: as assumed", true},
-       {"free_sliding_share", "", "Slides freely, p0", ColumnKind::share,
-        "p0, the share that slides without shaking"},
-       intensity_column(results, "p50", "50 % of all at", p50_description, true),
-       {"censored_share", "", "Never reached", ColumnKind::share,
-        "share of histories that never reach the threshold"},
-       text_column("method", "Fitted on", "which of the two fits: on stripes or on capacities"),
-       text_column("status", "Fit", "how the fit came out")},
-      {}};
+  Table table{"fragility_summary",
+              "Fragility by clearance: intensity with a 50 % chance of exceedance." +
+                  measured_by(results) + in_plan(results),
+              {run_column,
+               threshold_column,
+               median_column(results),
+               log_std_column,
+               {"free_sliding_share", "", "Slides freely, p0", ColumnKind::share,
+                "p0, the share that slides without shaking"},
+               p50_column(results, "50 % of all at"),
+               censored_column,
+               detail(method_column),
+               detail(status_column)},
+              {}};
   double least_floor = 1.0, largest_floor = 0.0;
-  for (const RunResults& run : results.runs) {
-    for (const ThresholdFragility& fragility : run.fragilities) {
-      const FitSummary& fit = preferred_fit(fragility);
-      least_floor = std::min(least_floor, fit.curve.floor);
-      largest_floor = std::max(largest_floor, fit.curve.floor);
-      table.add({run.label, fragility.threshold_m, median_of(fit), log_std_of(fit), fit.curve.floor,
-                 p50_of(fit), fragility.censored_share,
-                 &fit == &fragility.stripes ? "stripes" : "capacities", fit_label(fragility)});
-    }
-  }
-  table = without_capacities(results, with_listed(results, table));
-  if (lists_more_than_friction_value(results)) table = table.without("run");
-  for (Column& column : table.columns)
-    column.detail = column.stem == "method" || column.stem == "status";
+  for_each_fragility(results.runs, [&](const RunResults& run, const ThresholdFragility& fragility) {
+    const FitSummary& fit = preferred_fit(fragility);
+    least_floor = std::min(least_floor, fit.curve.floor);
+    largest_floor = std::max(largest_floor, fit.curve.floor);
+    table.add({run.label, fragility.threshold_m, median_of(fit), log_std_of(fit), fit.curve.floor,
+               p50_of(fit), fragility.censored_share,
+               &fit == &fragility.stripes ? "stripes" : "capacities", fit_label(fragility)});
+  });
+  table = without_run_key(results, without_capacities(results, with_listed(results, table)));
   table.notes = friction_names(results);
   if (const std::string note = crossing_note(results); !note.empty()) table.notes.push_back(note);
   if (largest_floor == 0.0) return table.without("free_sliding_share").without("p50");
@@ -312,15 +316,13 @@ Table earthquakes_table(const Results& results) {
   table.title =
       fmt::format("Probability that the clearance is exceeded in {}: share of the histories.{}{}",
                   fmt::join(earthquakes, " and in "), measured_by(results), in_plan(results));
-  for (const RunResults& run : results.runs) {
-    for (const ThresholdFragility& fragility : run.fragilities) {
-      std::vector<Cell> cells{run.label, fragility.threshold_m};
-      for (const std::size_t level : named)
-        cells.emplace_back(
-            Estimate{fragility.probability.at(level), fragility.probability_interval.at(level)});
-      table.add(std::move(cells));
-    }
-  }
+  for_each_fragility(results.runs, [&](const RunResults& run, const ThresholdFragility& fragility) {
+    std::vector<Cell> cells{run.label, fragility.threshold_m};
+    for (const std::size_t level : named)
+      cells.emplace_back(
+          Estimate{fragility.probability.at(level), fragility.probability_interval.at(level)});
+    table.add(std::move(cells));
+  });
   return with_listed(results, table);
 }
 
@@ -369,19 +371,17 @@ Table stripes_table(const Results& results, std::span<const RunResults> runs) {
        {"share", "", "Share [95 %]", ColumnKind::share,
         "share of histories that exceed the threshold", true}},
       {}};
-  for (const RunResults& run : runs) {
-    for (const ThresholdFragility& fragility : run.fragilities) {
-      for (std::size_t l = 0; l < fragility.probability.size(); ++l) {
-        const Interval interval = l < fragility.probability_interval.size()
-                                      ? fragility.probability_interval[l]
-                                      : Interval{};
-        const double histories = histories_at(results, run, l);
-        table.add({run.label, fragility.threshold_m, results.levels.at(l), histories,
-                   std::round(fragility.probability[l] * histories),
-                   Estimate{fragility.probability[l], interval}});
-      }
+  for_each_fragility(runs, [&](const RunResults& run, const ThresholdFragility& fragility) {
+    for (std::size_t l = 0; l < fragility.probability.size(); ++l) {
+      const Interval interval = l < fragility.probability_interval.size()
+                                    ? fragility.probability_interval[l]
+                                    : Interval{};
+      const double histories = histories_at(results, run, l);
+      table.add({run.label, fragility.threshold_m, results.levels.at(l), histories,
+                 std::round(fragility.probability[l] * histories),
+                 Estimate{fragility.probability[l], interval}});
     }
-  }
+  });
   return with_listed(results, table);
 }
 

@@ -17,11 +17,8 @@ namespace {
 /// From this share of a rate on a reader must know of it.
 constexpr double notable_share = 0.1;
 
-std::string share_range(const Estimate& estimate) {
-  const auto& [share, interval] = estimate;
-  if (std::isnan(interval.low)) return format_share(share);
-  return fmt::format("{} (95 % interval {} to {})", format_share(share), format_share(interval.low),
-                     format_share(interval.high));
+std::string share_range(const Estimate& share) {
+  return format_share(share.value) + in_brackets(share.interval);
 }
 
 std::string threshold_sentence(const HazardResults& hazard, const ThresholdRate& row) {
@@ -89,9 +86,8 @@ std::string prescribed_sentence(const Results& results, std::size_t standard) {
       "{}{} "
       "in 50 years{}; {}{} is exceeded with 1 % in 50 years.",
       standard_name(row.standard), format_length(row.prescribed.value_m),
-      row.prescribed.provenance == Provenance::recalled ? " (recalled: verify against the standard)"
-                                                        : "",
-      row.sds_g, row.below_share > 0.0 ? "at least " : "",
+      recalled_in_brackets(row.prescribed.provenance), row.sds_g,
+      row.below_share > 0.0 ? "at least " : "",
       share_range({probability_in(50.0, row.annual_rate.value),
                    {probability_in(50.0, row.annual_rate.interval.low),
                     probability_in(50.0, row.annual_rate.interval.high)}}),

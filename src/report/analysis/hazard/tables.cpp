@@ -22,24 +22,24 @@ Estimate period_of(const Estimate& rate) {
   return {1.0 / rate.value, {1.0 / rate.interval.high, 1.0 / rate.interval.low}};
 }
 
-const Column below_column{
-    "below_share",
-    "",
-    "Below levels",
-    ColumnKind::share,
-    "share of histories that exceed it at the lowest level; above 0: a lower bound",
-    false,
-    -1,
-    true},
-    moving_column{"moving_share",
-                  "",
-                  "Moving",
-                  ColumnKind::share,
-                  "share of histories that slide at the intensity below which none counts; above "
-                  "0: a lower bound",
-                  false,
-                  -1,
-                  true};
+const Column rate_column = {"annual_rate",
+                            "per_year",
+                            "Annual rate [95 %]",
+                            ColumnKind::rate,
+                            "annual rate of exceedance; inf: slides freely",
+                            true},
+             in_50_years_column = {"probability_50_years", "", "In 50 years", ColumnKind::share,
+                                   "probability of one exceedance or more in 50 years"},
+             displacement_column = {
+                 "displacement", "m", "Displacement, m (in)", ColumnKind::length,
+                 "displacement in plan; inf: beyond the levels, nan: below them"};
+const Column below_column = detail(
+                 {"below_share", "", "Below levels", ColumnKind::share,
+                  "share of histories that exceed it at the lowest level; above 0: a lower bound"}),
+             moving_column =
+                 detail({"moving_share", "", "Moving", ColumnKind::share,
+                         "share of histories that slide at the intensity below which none counts; "
+                         "above 0: a lower bound"});
 
 /// with_listed, and what the sign of a lower bound says where there is one.
 Table with_bounds(const Results& results, Table table) {
@@ -100,23 +100,20 @@ Table hazard_table(const Results& results, std::optional<double> threshold_m) {
               "How often each clearance is exceeded." + by_curve(results) + in_plan(results),
               {run_column,
                threshold_column,
-               {"annual_rate", "per_year", "Annual rate [95 %]", ColumnKind::rate,
-                "annual rate of exceedance; inf: slides freely", true},
+               rate_column,
                {"return_period", "years", "Return period, years [95 %]", ColumnKind::number,
                 "1 over the annual rate", true},
                {"life_probability", "", "In " + life_text(hazard) + " [95 %]", ColumnKind::share,
                 "probability of one exceedance or more in the design life", true},
-               {"probability_50_years", "", "In 50 years", ColumnKind::share,
-                "probability of one exceedance or more in 50 years", false, -1, true},
+               detail(in_50_years_column),
                {"beyond_share", "", "Beyond levels", ColumnKind::share,
                 "part of the rate from histories that do not reach it at the highest level"},
                intensity_column(results, "half_intensity", "Half of it above",
                                 "half of the rate is of stronger shaking: median of its "
                                 "deaggregation; nan: an infinite rate"),
-               {"fit_rate", "per_year", "Annual rate by the lognormal fit", ColumnKind::rate,
-                "annual rate by the lognormal fit; nan: no fit"}},
+               detail({"fit_rate", "per_year", "Annual rate by the lognormal fit", ColumnKind::rate,
+                       "annual rate by the lognormal fit; nan: no fit"})},
               {}};
-  table.columns.back().detail = true;
   for (const HazardRun& run : hazard.runs) {
     for (const ThresholdRate& row : run.thresholds) {
       if (row.threshold_m != threshold_m.value_or(row.threshold_m)) continue;
@@ -154,12 +151,7 @@ Table hazard_ground_table(const Results& results) {
 Table hazard_curve_table(const Results& results) {
   Table table{"hazard_curve",
               "Annual rate of exceeding a displacement." + by_curve(results) + in_plan(results),
-              {run_column,
-               {"displacement", "m", "Displacement, m (in)", ColumnKind::length,
-                "displacement in plan; inf: beyond the levels, nan: below them"},
-               {"annual_rate", "per_year", "Annual rate [95 %]", ColumnKind::rate,
-                "annual rate of exceedance; inf: slides freely", true},
-               below_column},
+              {run_column, displacement_column, rate_column, below_column},
               {}};
   for (const HazardRun& run : results.hazard->runs) {
     for (const DisplacementRate& row : run.curve)
@@ -177,8 +169,7 @@ Table hazard_targets_table(const Results& results) {
                text_column("target", "Rate", "the annual rate in words"),
                {"annual_rate", "per_year", "Annual rate", ColumnKind::rate,
                 "annual rate of exceedance; inf: slides freely"},
-               {"probability_50_years", "", "In 50 years", ColumnKind::share,
-                "probability of one exceedance or more in 50 years"},
+               in_50_years_column,
                {"displacement", "m", "Displacement, m (in) [95 %, m]", ColumnKind::length,
                 "displacement in plan; inf: beyond the levels, nan: below them", true},
                intensity_column(results, "intensity", "Shaking of that rate",
@@ -195,26 +186,23 @@ Table hazard_targets_table(const Results& results) {
 }
 
 Table hazard_standards_table(const Results& results) {
-  Table table{
-      "hazard_standards",
-      "How often the displacements that standards prescribe at the S_DS of the site are "
-      "exceeded, beside the displacement that is exceeded with 1 % in 50 years." +
-          by_curve(results) + in_plan(results),
-      {run_column,
-       text_column("standard", "Standard", "standard"),
-       text_column("provision", "Provision", "how well the provision is known"),
-       {"sds", "g", "S_DS, g", ColumnKind::number, "design spectral acceleration S_DS"},
-       {"prescribed", "m", "Prescribed, m (in)", ColumnKind::length, "prescribed displacement"},
-       {"annual_rate", "per_year", "Annual rate [95 %]", ColumnKind::rate,
-        "annual rate of exceedance; inf: slides freely", true},
-       {"probability_50_years", "", "In 50 years", ColumnKind::share,
-        "probability of one exceedance or more in 50 years"},
-       {"risk_targeted", "m", "1 % in 50 years, m (in)", ColumnKind::length,
-        "displacement that is exceeded with 1 % in 50 years"},
-       {"ratio", "", "That over prescribed", ColumnKind::number,
-        "displacement exceeded with 1 % in 50 years over the prescribed one"},
-       below_column},
-      {}};
+  Table table{"hazard_standards",
+              "How often the displacements that standards prescribe at the S_DS of the site are "
+              "exceeded, beside the displacement that is exceeded with 1 % in 50 years." +
+                  by_curve(results) + in_plan(results),
+              {run_column,
+               standard_column,
+               provision_column,
+               sds_column,
+               prescribed_column,
+               rate_column,
+               in_50_years_column,
+               {"risk_targeted", "m", "1 % in 50 years, m (in)", ColumnKind::length,
+                "displacement that is exceeded with 1 % in 50 years"},
+               {"ratio", "", "That over prescribed", ColumnKind::number,
+                "displacement exceeded with 1 % in 50 years over the prescribed one"},
+               below_column},
+              {}};
   for (const HazardRun& run : results.hazard->runs) {
     const TargetDisplacement target = target_displacement(rate_of(0.01, 50.0), run);
     const double target_m = target.displacement_m.value;
@@ -238,8 +226,7 @@ Table life_distribution_table(const Results& results) {
       {run_column,
        text_column("quantity", "Slip", "which displacement of a design life"),
        {"probability", "", "Share of the lives", ColumnKind::share, "share of the design lives"},
-       {"displacement", "m", "Displacement, m (in)", ColumnKind::length,
-        "displacement in plan; inf: beyond the levels, nan: below them"},
+       displacement_column,
        moving_column},
       {},
       {kept_over_life}};
@@ -295,8 +282,8 @@ Table design_life_table(const Results& results) {
                {"p95", "m", "95th percentile, m (in) [95 %, m]", ColumnKind::length,
                 "95th percentile over design lives", true},
                moving_column,
-               {"events", "", "Earthquakes", ColumnKind::number,
-                "expected earthquakes of a design life above from_intensity", false, -1, true},
+               detail({"events", "", "Earthquakes", ColumnKind::number,
+                       "expected earthquakes of a design life above from_intensity"}),
                intensity_column(results, "from_intensity", "above",
                                 "intensity below which no earthquake is counted")},
               {},

@@ -3,15 +3,133 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
+#include <span>
 
 #include "analysis/analyses.hpp"
-#include "analysis/intensity_measures/ranking.hpp"
+#include "glissade/report/figure.hpp"
 #include "glissade/report/format.hpp"
+#include "glissade/report/table.hpp"
+#include "glissade/study/results.hpp"
 #include "page/page.hpp"
 #include "text/study_text.hpp"
 
 namespace glissade {
 namespace {
+
+/// Below it a measure is called insufficient.
+constexpr double significant_p = 0.05;
+
+/// The rows of one run and threshold, the best first.
+using Ranking = std::span<const RankedMeasure>;
+
+std::vector<Ranking> rankings_of(const Results& results) {
+  return groups_of(*results.intensity_measures, [](const RankedMeasure& a, const RankedMeasure& b) {
+    return a.run == b.run && a.threshold_m == b.threshold_m;
+  });
+}
+
+/// The one that the figure shows: of the first run the middle threshold of those that are ranked.
+Ranking shown_ranking(const Results& results) {
+  std::vector<Ranking> of_first = rankings_of(results);
+  std::erase_if(of_first, [&](const Ranking& ranking) {
+    return ranking.front().run != results.intensity_measures->front().run;
+  });
+  return of_first[of_first.size() / 2];
+}
+
+/// Whether it is known that ln capacity in it depends on magnitude or distance.
+bool is_insufficient(const RankedMeasure& row) {
+  return row.magnitude_p < significant_p || row.distance_p < significant_p;
+}
+
+Table intensity_measures_table(const Results& results) {
+  Table table{
+      "intensity_measures",
+      "Intensity measures by the dispersion of ln capacity between records, the best first. " +
+          in_plan(results),
+      {run_column,
+       threshold_column,
+       text_column("measure", "Intensity measure", "intensity measure, or two"),
+       {"dispersion", "", "Dispersion [95 %]", ColumnKind::number,
+        "standard deviation of the records' ln capacity in it", true},
+       {"smallest_share", "", "Ranks first in", ColumnKind::share,
+        "share of the resamples of the records in which it ranks first"},
+       {"magnitude_slope", "", "Slope on M", ColumnKind::number,
+        "slope of ln capacity on magnitude; nan: not known"},
+       {"magnitude_p", "", "p", ColumnKind::number, "p-value of the slope on magnitude"},
+       {"distance_slope", "", "Slope on ln R", ColumnKind::number,
+        "slope of ln capacity on ln distance; nan: not known"},
+       {"distance_p", "", "p", ColumnKind::number, "p-value of the slope on ln distance"},
+       {"censored_records", "", "Records not reached", ColumnKind::count,
+        "records of which half do not reach the threshold"},
+       {"is_pair", "", "Two measures", ColumnKind::count, "1: of two measures"}},
+      {}};
+  for (Column& column : table.columns)
+    column.detail = column.stem == "magnitude_slope" || column.stem == "distance_slope" ||
+                    column.stem == "censored_records" || column.stem == "is_pair";
+  for (const RankedMeasure& row : *results.intensity_measures)
+    table.add({results.runs[row.run].label, row.threshold_m, row.name, row.dispersion,
+               row.smallest_share, row.magnitude_slope, row.magnitude_p, row.distance_slope,
+               row.distance_p, static_cast<double>(row.censored_records), row.pair ? 1.0 : 0.0});
+  table.notes = {
+      "Ranks first in: that share of the resamples of the records; equal measures do so together. "
+      "Ties: where intervals overlap and none ranks first in nearly all resamples, these records "
+      "do not show which measure is better.",
+      "A and B: the dispersion in A that is left when the ratio of B to A (or the duration) is "
+      "known too.",
+      "p: that the slope of ln capacity on magnitude or ln distance is 0; below 0.05 the measure "
+      "is not sufficient."};
+  return with_listed(results, table);
+}
+
+DataSeries points(std::size_t look, const std::string& label) {
+  DataSeries series{DataSeries::Kind::points, distinct_look(look), label, label};
+  series.look.symbol = 7;  // disc
+  series.look.symbol_size = 1.1;
+  return series;
+}
+
+Figure intensity_measures_figure(const Results& results) {
+  const Ranking ranking = shown_ranking(results);
+  const RunResults& run = results.runs[ranking.front().run];
+  Panel panel{"", {"Dispersion of ln capacity between records: smaller is better"}, {""}};
+  DataSeries sufficient = points(0, "no dependence on magnitude or distance found"),
+             insufficient = points(
+                 1, fmt::format("depends on magnitude or distance (p < {:g})", significant_p)),
+             bars{DataSeries::Kind::line, look(Role::record), "95 % interval over records",
+                  "95 % interval over records"};
+  bars.look.width = 4.0;
+  double right = 0.0;
+  for (std::size_t i = 0; i < ranking.size(); ++i) {
+    const RankedMeasure& row = ranking[i];
+    const double y = -static_cast<double>(i);
+    DataSeries& at = is_insufficient(row) ? insufficient : sufficient;
+    at.add(row.dispersion.value, y);
+    bars.add(row.dispersion.interval.low, y);
+    bars.add(row.dispersion.interval.high, y);
+    bars.end_line();
+    panel.y.ticks.push_back({y, row.name});
+    right = std::max({right, row.dispersion.value, row.dispersion.interval.high});
+  }
+  panel.x.high = 1.05 * std::min(right, 3.0 * ranking.back().dispersion.value);
+  panel.y.low = -static_cast<double>(ranking.size());
+  panel.y.high = 1.0;
+  panel.y.values = Axis::Values::names;
+  panel.series = {std::move(bars), std::move(sufficient), std::move(insufficient)};
+  Figure figure{
+      "intensity_measures",
+      "Intensity measures ranked by dispersion, for slip of " +
+          format_length(ranking.front().threshold_m),
+      run_below(results, run),
+      "Capacity: the intensity at which half the samples of a record reach that displacement. A "
+      "small dispersion means that a few records suffice. Of Arias intensity the square root "
+      "counts, so that all measures grow with the motion alike. Of two measures: the first, given "
+      "the second. Other clearances: tables/intensity_measures.csv."};
+  figure.panels = {std::move(panel)};
+  figure.plot_height_px = 200 + 26 * static_cast<int>(figure.panels[0].y.ticks.size());
+  return figure;
+}
 
 /// With the names of all that are equal to it.
 std::string with_dispersion(const Ranking& ranking, const RankedMeasure& row) {
@@ -81,5 +199,4 @@ AnalysisReport IntensityMeasuresAnalysis::in_report() {
           [](const Results& results) { return std::vector{intensity_measures_table(results)}; },
       .section = section};
 }
-
 }  // namespace glissade

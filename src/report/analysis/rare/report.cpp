@@ -21,27 +21,27 @@ constexpr double least = 1e-7;
 std::string small(double probability) { return fmt::format("{:.2g}", probability); }
 
 Table rare_table(const Results& results) {
-  Table table{"rare",
-              "Probability, given the level, that slip reaches the threshold",
-              {condition_column,
-               threshold_column,
-               level_column(results),
-               text_column("estimate", "Probability", "probability, as text"),
-               text_column("samples", "95 %, samples",
-                           "95 % interval of the samples, on these records, as text"),
-               text_column("records", "95 %, records", "95 % interval over records, as text"),
-               {"effective_samples", "", "Effective number of samples", ColumnKind::number,
-                "number of samples that carry the probability", false, -1, true},
-               {"effective_records", "", "Effective number of records", ColumnKind::number,
-                "number of records that carry the probability"},
-               {"plain_samples", "", "Plain Monte Carlo samples", ColumnKind::number,
-                "samples of plain Monte Carlo with the same sampling error", false, -1, true},
-               {"probability", "", "Probability", ColumnKind::number,
-                "probability that displacement reaches the threshold; interval over records", true,
-                -1, true},
-               {"sampled_probability", "", "the same, samples", ColumnKind::number,
-                "probability; interval of the samples, on these records", true, -1, true}},
-              {}};
+  Table table{
+      "rare",
+      "Probability, given the level, that slip reaches the threshold",
+      {condition_column,
+       threshold_column,
+       level_column(results),
+       text_column("estimate", "Probability", "probability, as text"),
+       text_column("samples", "95 %, samples",
+                   "95 % interval of the samples, on these records, as text"),
+       text_column("records", "95 %, records", "95 % interval over records, as text"),
+       detail({"effective_samples", "", "Effective number of samples", ColumnKind::number,
+               "number of samples that carry the probability"}),
+       {"effective_records", "", "Effective number of records", ColumnKind::number,
+        "number of records that carry the probability"},
+       detail({"plain_samples", "", "Plain Monte Carlo samples", ColumnKind::number,
+               "samples of plain Monte Carlo with the same sampling error"}),
+       detail({"probability", "", "Probability", ColumnKind::number,
+               "probability that displacement reaches the threshold; interval over records", true}),
+       detail({"sampled_probability", "", "the same, samples", ColumnKind::number,
+               "probability; interval of the samples, on these records", true})},
+      {}};
   const auto range = [](const Interval& i) {
     return std::isnan(i.low) ? std::string("-") : small(i.low) + " to " + small(i.high);
   };

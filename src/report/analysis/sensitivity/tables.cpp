@@ -10,9 +10,11 @@
 namespace glissade {
 namespace {
 
-std::vector<Cell> share_cells(const SpreadRow& row, std::size_t factor) {
-  return {Estimate{row.first[factor], row.first_interval[factor]},
-          Estimate{row.total[factor], row.total_interval[factor]}};
+Estimate alone(const SpreadRow& row, std::size_t factor) {
+  return {row.first[factor], row.first_interval[factor]};
+}
+Estimate with_interactions(const SpreadRow& row, std::size_t factor) {
+  return {row.total[factor], row.total_interval[factor]};
 }
 
 const Column first_column{"first", "", "Alone [95 %]", ColumnKind::share, "first-order Sobol index",
@@ -20,32 +22,15 @@ const Column first_column{"first", "", "Alone [95 %]", ColumnKind::share, "first
 const Column total_column{
     "total", "", "With interactions [95 %]", ColumnKind::share, "total Sobol index", true};
 
-const Column mean_column{"mean", "", "Mean", ColumnKind::number, "mean of ln capacity",
-                         false,  -1, true},
-    std_column{"std",
-               "",
-               "Standard deviation",
-               ColumnKind::number,
-               "standard deviation over records and samples",
-               false,
-               -1,
-               true},
-    record_error_column{"record_error",
-                        "",
-                        "Its error by records",
-                        ColumnKind::number,
-                        "standard error of the mean from the number of records",
-                        false,
-                        -1,
-                        true},
-    sample_error_column{"sample_error",
-                        "",
-                        "by samples",
-                        ColumnKind::number,
-                        "standard error of the mean from as many independent samples",
-                        false,
-                        -1,
-                        true};
+const Column mean_column = detail({"mean", "", "Mean", ColumnKind::number, "mean of ln capacity"}),
+             std_column = detail({"std", "", "Standard deviation", ColumnKind::number,
+                                  "standard deviation over records and samples"}),
+             record_error_column =
+                 detail({"record_error", "", "Its error by records", ColumnKind::number,
+                         "standard error of the mean from the number of records"}),
+             sample_error_column =
+                 detail({"sample_error", "", "by samples", ColumnKind::number,
+                         "standard error of the mean from as many independent samples"});
 
 std::vector<std::string> notes_on(const SensitivityResults& found) {
   const std::string alone =
@@ -101,13 +86,10 @@ Table spread_table(const Results& results) {
                sample_error_column},
               {}};
   for (const SpreadRow* row : capacity_rows(found)) {
-    for (std::size_t f = 0; f < found.factors.size(); ++f) {
-      std::vector<Cell> cells{row->condition, row->threshold_m, row->std, found.factors[f]};
-      for (Cell& cell : share_cells(*row, f)) cells.push_back(std::move(cell));
-      cells.insert(cells.end(), {row->share_below, row->share_above, row->mean, row->record_error,
-                                 row->sample_error});
-      table.add(std::move(cells));
-    }
+    for (std::size_t f = 0; f < found.factors.size(); ++f)
+      table.add({row->condition, row->threshold_m, row->std, found.factors[f], alone(*row, f),
+                 with_interactions(*row, f), row->share_below, row->share_above, row->mean,
+                 row->record_error, row->sample_error});
   }
   table.notes = notes_on(found);
   const bool noisy = std::ranges::any_of(capacity_rows(found), [](const SpreadRow* row) {
@@ -142,13 +124,10 @@ Table exceedance_spread_table(const Results& results) {
               {}};
   for (const SpreadRow& row : found.rows) {
     if (row.is_capacity() || !(row.std > 0.0)) continue;
-    for (std::size_t f = 0; f < found.factors.size(); ++f) {
-      std::vector<Cell> cells{row.condition, row.threshold_m, row.level, row.mean,
-                              found.factors[f]};
-      for (Cell& cell : share_cells(row, f)) cells.push_back(std::move(cell));
-      cells.insert(cells.end(), {row.std, row.record_error, row.sample_error});
-      table.add(std::move(cells));
-    }
+    for (std::size_t f = 0; f < found.factors.size(); ++f)
+      table.add({row.condition, row.threshold_m, row.level, row.mean, found.factors[f],
+                 alone(row, f), with_interactions(row, f), row.std, row.record_error,
+                 row.sample_error});
   }
   table.notes = notes_on(found);
   return table;

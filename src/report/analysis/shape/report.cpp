@@ -62,9 +62,7 @@ std::vector<std::string> sentences(const Results& results) {
 }
 
 std::string summary(const Results& results) {
-  Table table = shape_table(results);
-  if (lists_more_than_friction_value(results)) table = table.without("run");
-  return to_text(table.first_rows(12, "shape")) + "\n" +
+  return to_text(without_run_key(results, shape_table(results)).first_rows(12, "shape")) + "\n" +
          wrapped(crossing_sentence(results, results.shape->runs.front()));
 }
 

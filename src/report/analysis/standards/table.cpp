@@ -5,26 +5,15 @@
 #include "text/study_text.hpp"
 
 namespace glissade {
-namespace {
-
-const SlipStatistics* slip_at(const RunResults& run, double level) {
-  for (const SlipStatistics& slip : run.slip) {
-    if (slip.level == level) return &slip;
-  }
-  return nullptr;
-}
-
-}  // namespace
-
 Table standards_table(const Results& results) {
   Table table{
       "standards",
       std::string("Displacements prescribed by standards beside the computed slip. ") +
           in_plan(results),
       {run_column,
-       text_column("standard", "Standard", "standard"),
-       {"sds", "g", "S_DS, g", ColumnKind::number, "design spectral acceleration S_DS"},
-       {"prescribed", "m", "Prescribed, m (in)", ColumnKind::length, "prescribed displacement"},
+       standard_column,
+       sds_column,
+       prescribed_column,
        {"median_slip", "m", "Median, m (in)", ColumnKind::length,
         "median peak displacement in plan at this level"},
        {"p84_slip", "m", "84th, m (in)", ColumnKind::length,

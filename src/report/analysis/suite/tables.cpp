@@ -6,7 +6,6 @@
 #include <algorithm>
 
 #include "glissade/report/format.hpp"
-#include "glissade/report/roof_table.hpp"
 #include "text/study_text.hpp"
 
 namespace glissade {

@@ -102,15 +102,6 @@ std::string separations_sentence(const Results& results, Standard standard,
                     accepted, edge.words(verdict));
 }
 
-/// "0.2 to 1": of a quantity of all cases.
-std::string range_of(const Results& results, double Case::*quantity, double scale = 1.0) {
-  const auto [low, high] = std::ranges::minmax(results.cases.cases, {}, quantity);
-  const std::string first = fmt::format("{:.3g}", scale * low.*quantity);
-  return low.*quantity == high.*quantity
-             ? first
-             : fmt::format("{} to {:.3g}", first, scale * high.*quantity);
-}
-
 /// On which buildings the arrays stand: a verdict holds for these.
 std::string buildings_sentence(const Results& results) {
   const bool yields =
@@ -118,8 +109,9 @@ std::string buildings_sentence(const Results& results) {
   return fmt::format(
       "Buildings: one mass on one spring along each axis, period {} s (the governing "
       "one counts), damping {} %, mass of the array {} % of theirs; {}",
-      range_of(results, &Case::period_s), range_of(results, &Case::damping, 100.0),
-      range_of(results, &Case::mass_ratio, 100.0),
+      range_of(results.cases.cases, &Case::period_s),
+      range_of(results.cases.cases, &Case::damping, 100.0),
+      range_of(results.cases.cases, &Case::mass_ratio, 100.0),
       yields ? "those with R yield at the design spectrum over R, without overstrength."
              : "they stay elastic. On a building that yields the array slides less "
                "(building.response_modification): there these probabilities are too large.");

@@ -53,17 +53,9 @@ std::string percent(double probability) { return fmt::format("{:g} %", 100.0 * p
 }  // namespace
 
 std::vector<VerdictKind> verdict_kinds(const VerdictResults& verdict) {
-  std::vector<VerdictKind> kinds;
-  const auto same = [](const VerdictRow& a, const VerdictRow& b) {
+  return groups_of(verdict.rows, [](const VerdictRow& a, const VerdictRow& b) {
     return a.first_case == b.first_case && a.standard == b.standard;
-  };
-  for (std::size_t i = 0; i < verdict.rows.size();) {
-    std::size_t end = i + 1;
-    while (end < verdict.rows.size() && same(verdict.rows[i], verdict.rows[end])) ++end;
-    kinds.emplace_back(verdict.rows.data() + i, end - i);
-    i = end;
-  }
-  return kinds;
+  });
 }
 
 std::span<const VerdictSeparation> separations_of(const VerdictResults& verdict, std::size_t row) {
@@ -97,19 +89,42 @@ double response_modification(const Results& results, const VerdictRow& row) {
 
 namespace {
 
+const Column mu_column = {"mu", "", "Friction", ColumnKind::number,
+                          "coefficient of friction as stated: of what is drawn the mean of its "
+                          "distribution"},
+             conditions_column =
+                 text_column("conditions", "Conditions",
+                             "whether slope and friction meet the conditions of the standard");
+
+enum class Earthquake { dbe, mce };
+
+/// The probability that more is needed in it.
+Column exceeded_column(Earthquake at, const std::string& heading) {
+  const bool is_dbe = at == Earthquake::dbe;
+  return {is_dbe ? "dbe_probability" : "mce_probability",
+          "",
+          heading + (is_dbe ? " at DBE [95 %]" : " at MCE [95 %]"),
+          ColumnKind::share,
+          std::string("probability that more is needed at ") + (is_dbe ? "S_DS" : "1.5 S_DS") +
+              ", in the building whose period makes it largest",
+          true};
+}
+
+Column period_column(const char* stem) {
+  return {stem, "s", "Period, s", ColumnKind::number,
+          "building period that makes the probability largest"};
+}
+
 /// Which row of the verdict: the first columns of its tables, and their cells.
 std::vector<Column> row_columns(std::initializer_list<Column> others) {
-  std::vector<Column> columns{
-      condition_column,
-      {"mu", "", "Friction", ColumnKind::number,
-       "coefficient of friction as stated: of what is drawn the mean of its distribution"},
-      {"slope", "deg", "Slope, degrees", ColumnKind::number, "slope of the roof"},
-      text_column("standard", "Standard", "standard"),
-      text_column("conditions", "Conditions",
-                  "whether slope and friction meet the conditions of the standard"),
-      {"sds", "g", "S_DS, g", ColumnKind::number, "design spectral acceleration S_DS"},
-      {"response_modification", "", "R", ColumnKind::number,
-       "R of the building; 0: it stays elastic", false, -1, true}};
+  std::vector<Column> columns{condition_column,
+                              mu_column,
+                              slope_column,
+                              standard_column,
+                              conditions_column,
+                              sds_column,
+                              detail({"response_modification", "", "R", ColumnKind::number,
+                                      "R of the building; 0: it stays elastic"})};
   columns.insert(columns.end(), others);
   return columns;
 }
@@ -133,24 +148,13 @@ Estimate estimate(const VerdictProbability& of) { return {of.probability, of.int
 
 Table verdict_table(const Results& results) {
   const VerdictResults& verdict = *results.verdict;
-  Table table{"verdict",
-              "Prescribed displacements, in the building whose period makes each number largest",
-              row_columns({{"prescribed", "m", "Prescribed, m (in)", ColumnKind::length,
-                            "prescribed displacement"},
-                           text_column("provision", "Provision", "how well the provision is known"),
-                           {"dbe_probability", "", "Exceeded at DBE [95 %]", ColumnKind::share,
-                            "probability that more is needed at S_DS, in the building whose period "
-                            "makes it largest",
-                            true},
-                           {"dbe_period", "s", "Period, s", ColumnKind::number,
-                            "building period that makes the probability largest"},
-                           {"mce_probability", "", "Exceeded at MCE [95 %]", ColumnKind::share,
-                            "probability that more is needed at 1.5 S_DS, in the building whose "
-                            "period makes it largest",
-                            true},
-                           {"mce_period", "s", "Period, s", ColumnKind::number,
-                            "building period that makes the probability largest"}}),
-              {}};
+  Table table{
+      "verdict",
+      "Prescribed displacements, in the building whose period makes each number largest",
+      row_columns({prescribed_column, provision_column,
+                   exceeded_column(Earthquake::dbe, "Exceeded"), period_column("dbe_period"),
+                   exceeded_column(Earthquake::mce, "Exceeded"), period_column("mce_period")}),
+      {}};
   for (const double p : verdict.exceedance)
     table.columns.push_back({fmt::format("displacement_{:g}_percent", 100.0 * p), "m",
                              percent(p) + " exceed, m (in) [95 %]", ColumnKind::length,
@@ -183,27 +187,16 @@ Table verdict_table(const Results& results) {
 
 Table verdict_summary_table(const Results& results) {
   const VerdictResults& verdict = *results.verdict;
-  Table table{
-      "verdict_summary",
-      "The prescribed displacement at the S_DS of the study",
-      {{"slope", "deg", "Slope, degrees", ColumnKind::number, "slope of the roof"},
-       {"mu", "", "Friction", ColumnKind::number,
-        "coefficient of friction as stated: of what is drawn the mean of its distribution"},
-       text_column("standard", "Standard", "standard"),
-       text_column("provision", "Provision", "how well the provision is known"),
-       text_column("conditions", "Conditions",
-                   "whether slope and friction meet the conditions of the standard"),
-       text_column("exceeded", "Exceeded at S_DS, g",
-                   "ranges of S_DS (g) at which the judgement is exceeded"),
-       text_column("conservative", "Conservative at S_DS, g",
-                   "ranges of S_DS (g) at which the judgement is conservative"),
-       {"dbe_probability", "", "Largest at DBE [95 %]", ColumnKind::share,
-        "probability that more is needed at S_DS, in the building whose period makes it largest",
-        true},
-       {"mce_probability", "", "Largest at MCE [95 %]", ColumnKind::share,
-        "probability that more is needed at 1.5 S_DS, likewise", true},
-       condition_column},
-      {}};
+  Table table{"verdict_summary",
+              "The prescribed displacement at the S_DS of the study",
+              {slope_column, mu_column, standard_column, provision_column, conditions_column,
+               text_column("exceeded", "Exceeded at S_DS, g",
+                           "ranges of S_DS (g) at which the judgement is exceeded"),
+               text_column("conservative", "Conservative at S_DS, g",
+                           "ranges of S_DS (g) at which the judgement is conservative"),
+               exceeded_column(Earthquake::dbe, "Largest"),
+               exceeded_column(Earthquake::mce, "Largest"), condition_column},
+              {}};
   for (const VerdictKind kind : verdict_kinds(verdict)) {
     const VerdictProbability dbe = largest_of(kind, &VerdictRow::dbe),
                              mce = largest_of(kind, &VerdictRow::mce);
@@ -248,16 +241,10 @@ Table verdict_separations_table(const Results& results) {
                    {"factor", "", "x prescribed", ColumnKind::number,
                     "factor on the prescribed displacement"},
                    {"value", "m", "Separation, m (in)", ColumnKind::length, "separation"},
-                   {"dbe_probability", "", "At DBE [95 %]", ColumnKind::share,
-                    "probability that more is needed at S_DS, in the building whose period "
-                    "makes it largest",
-                    true},
-                   {"dbe_period", "s", "Period, s", ColumnKind::number,
-                    "building period that makes the probability largest"},
-                   {"mce_probability", "", "At MCE [95 %]", ColumnKind::share,
-                    "probability that more is needed at 1.5 S_DS, likewise", true},
-                   {"mce_period", "s", "Period, s", ColumnKind::number,
-                    "building period that makes the probability largest"}}),
+                   exceeded_column(Earthquake::dbe, "Exceeded"),
+                   period_column("dbe_period"),
+                   exceeded_column(Earthquake::mce, "Exceeded"),
+                   period_column("mce_period")}),
       {}};
   for (const VerdictSeparation& s : verdict.separations) {
     const VerdictRow& row = verdict.rows[s.row];
@@ -272,12 +259,7 @@ Table verdict_separations_summary_table(const Results& results) {
   const VerdictResults& verdict = *results.verdict;
   Table table{"verdict_separations_summary",
               "The separations: largest probability at DBE that more is needed",
-              {{"slope", "deg", "Slope, degrees", ColumnKind::number, "slope of the roof"},
-               {"mu", "", "Friction", ColumnKind::number,
-                "coefficient of friction as stated: of what is drawn the mean of its distribution"},
-               text_column("standard", "Standard", "standard"),
-               text_column("conditions", "Conditions",
-                           "whether slope and friction meet the conditions of the standard")},
+              {slope_column, mu_column, standard_column, conditions_column},
               {}};
   std::vector<double> factors;
   for (const VerdictSeparation& s : verdict.separations) {
