@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "facts.hpp"
+#include "figure_facts.hpp"
 #include "glissade/core/file.hpp"
 #include "glissade/report/figures.hpp"
 #include "glissade/report/format.hpp"
@@ -20,19 +21,11 @@ using test::states;
 using testing::Contains;
 using testing::Not;
 
-/// The table of chart.csv, whose title has what stands above all tables.
-Table csv_chart(const Results& results) {
-  for (const Table& table : csv_tables(results))
-    if (table.name.text() == "chart") return table;
-  ADD_FAILURE() << "no table of the chart";
-  return {};
-}
-
 // Levels that scale each record by itself: the factored mean is nothing to design with.
 TEST(chart_summary, of_a_measure_that_is_no_design_spectrum_names_no_design_displacement) {
   Results results = made_up_chart_results();
   results.measure = IntensityMeasure::pga_g;
-  EXPECT_EQ(csv_chart(results).columns[3].heading, "1.1 x mean slip, m (in)");
+  EXPECT_EQ(table_named(results, "chart").columns[3].heading, "1.1 x mean slip, m (in)");
   const auto no_design = Not(testing::ContainsRegex("[Dd]esign displacement"));
   EXPECT_THAT(summary_text(results), no_design);
   for (const Figure& figure : make_figures(results))
@@ -54,10 +47,10 @@ TEST(chart_summary, reports_the_clearance_beside_what_is_prescribed_in_ascii) {
 
 TEST(chart_report, names_the_factor_of_the_study) {
   Results results = made_up_chart_results();
-  EXPECT_THAT(csv_chart(results).columns[3].heading, states("1.1 x"));
+  EXPECT_THAT(table_named(results, "chart").columns[3].heading, states("1.1 x"));
   for (ChartPoint& p : results.chart->points) p.clearance_m *= 1.3 / 1.1;
   results.clearance = required_clearance(results, {.factor = 1.3});
-  EXPECT_THAT(csv_chart(results).columns[3].heading, states("1.3 x"));
+  EXPECT_THAT(table_named(results, "chart").columns[3].heading, states("1.3 x"));
   EXPECT_THAT(answer_sentences(results), Contains(states("1.3 x")));
   std::string captions;
   for (const Figure& figure : make_figures(results))
@@ -90,7 +83,7 @@ TEST(chart_summary, states_what_the_largest_of_the_records_is_worth) {
 TEST(chart_summary, never_counts_samples_as_records) {
   Results results = made_up_chart_results();
   const auto head_of_chart = [&] {
-    const std::string text = to_csv(csv_chart(results));
+    const std::string text = to_csv(table_named(results, "chart"));
     return text.substr(0, text.find("\nlevel"));
   };
   EXPECT_THAT(head_of_chart(), Not(states("samples")));

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "facts.hpp"
+#include "figure_facts.hpp"
 #include "glissade/report/format.hpp"
 #include "glissade/report/summary.hpp"
 #include "glissade/report/tables.hpp"
@@ -19,37 +20,9 @@ using test::states;
 using testing::ElementsAre;
 using testing::Not;
 
-Table table_named(const Results& results, const std::string& name) {
-  for (const Table& table : csv_tables(results)) {
-    if (table.name == name) return table;
-  }
-  ADD_FAILURE() << "no table " << name;
-  return {};
-}
-
-std::size_t column_of(const Table& table, const std::string& stem) {
-  for (std::size_t c = 0; c < table.columns.size(); ++c) {
-    if (table.columns[c].stem == stem) return c;
-  }
-  ADD_FAILURE() << "no column " << stem;
-  return 0;
-}
-
-double number(const Table& table, std::size_t row, const std::string& stem) {
-  const Cell& cell = table.rows.at(row).at(column_of(table, stem));
-  const auto* estimate = std::get_if<NumberCell>(&cell);
-  return estimate ? estimate->value : std::get<double>(cell);
-}
-
 /// The row of chart.csv at level 1 g of the made-up chart, by places on its axes.
 std::size_t row_at_1g(std::size_t slope, std::size_t friction) {
   return (1 * 15 + slope) * 15 + friction;
-}
-
-std::vector<std::string> names(const std::vector<Table>& tables) {
-  std::vector<std::string> list;
-  for (const Table& table : tables) list.push_back(table.name);
-  return list;
 }
 
 TEST(chart_tables, are_those_the_chart_can_fill) {

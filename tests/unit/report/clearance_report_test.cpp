@@ -108,12 +108,6 @@ Results two_suites(const char* first, const char* second) {
   return r;
 }
 
-std::vector<std::string> figure_names(const Results& r) {
-  std::vector<std::string> names;
-  for (const Figure& figure : clearance_figures(r)) names.push_back(figure.name);
-  return names;
-}
-
 TEST(clearance_report, gives_a_row_for_each_listed_condition_and_the_range_of_all) {
   const Results r = made_up(study_of("building", "damping", {0.02, 0.05}),
                             [](const auto& at) { return at.c.damping == 0.02 ? 1.0 : 0.5; });
@@ -236,25 +230,28 @@ TEST(clearance_report, of_two_frictions_each_is_reported_where_it_acts_downhill)
 }
 
 TEST(clearance_report, figures_are_of_the_axes_with_several_values) {
-  const auto names = [](const StudyConfig& study) { return figure_names(made_up(study)); };
-  EXPECT_THAT(figure_names(made_up()), ElementsAre("spectra", "period", "orientations"));
-  EXPECT_THAT(names(study_of("roof", "slope_deg", {1.2, 2.4})),
+  const auto names_of = [](const StudyConfig& study) {
+    return names(clearance_figures(made_up(study)));
+  };
+  EXPECT_THAT(names(clearance_figures(made_up())),
+              ElementsAre("spectra", "period", "orientations"));
+  EXPECT_THAT(names_of(study_of("roof", "slope_deg", {1.2, 2.4})),
               ElementsAre("spectra", "period", "orientations", "slope"));
   StudyConfig both = study_of_two_frictions(0.5);
   both.quantities.at("roof", "slope_deg") = listed({1.2, 2.4});
-  EXPECT_THAT(names(both), ElementsAre("spectra", "period", "permutations", "slope"));
-  EXPECT_THAT(names(study_of_levels({2.0 / 3, 1.0})),
+  EXPECT_THAT(names_of(both), ElementsAre("spectra", "period", "permutations", "slope"));
+  EXPECT_THAT(names_of(study_of_levels({2.0 / 3, 1.0})),
               ElementsAre("spectra", "period", "orientations", "mce"));
-  EXPECT_THAT(names(study_of("building", "response_modification", {0.0, 2.0})),
+  EXPECT_THAT(names_of(study_of("building", "response_modification", {0.0, 2.0})),
               ElementsAre("spectra", "period", "orientations", "yielding"));
-  EXPECT_THAT(
-      names(study_of(&StudyConfig::vertical, {VerticalChoice::none, VerticalChoice::if_available})),
-      ElementsAre("spectra", "period", "orientations", "vertical"));
+  EXPECT_THAT(names_of(study_of(&StudyConfig::vertical,
+                                {VerticalChoice::none, VerticalChoice::if_available})),
+              ElementsAre("spectra", "period", "orientations", "vertical"));
 }
 
 TEST(clearance_report, of_several_suites_only_how_they_compare_is_reported) {
   const Results r = two_suites("suite", "other");
-  EXPECT_THAT(figure_names(r), ElementsAre("level"));
+  EXPECT_THAT(names(clearance_figures(r)), ElementsAre("level"));
   EXPECT_THAT(clearance_reading(r, ClearanceTopic::level),
               states(format_length(2.5 * inch), "0.190 m (7.50 in)"));  // a: 1, 2, 3, 4 inches
 }

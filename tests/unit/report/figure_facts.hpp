@@ -10,14 +10,35 @@
 #include <vector>
 
 #include "glissade/report/figure.hpp"
-#include "glissade/report/table.hpp"
+#include "glissade/report/tables.hpp"
 
 namespace glissade {
 
-inline std::vector<std::string> names(const std::vector<Figure>& figures) {
+/// Of figures or tables.
+template <class Named>
+std::vector<std::string> names(const std::vector<Named>& all) {
   std::vector<std::string> list;
-  for (const Figure& figure : figures) list.push_back(figure.name);
+  for (const Named& one : all) list.push_back(one.name);
   return list;
+}
+
+/// The table of a CSV file, whose title has what stands above all tables.
+inline Table table_named(const Results& results, const std::string& name) {
+  for (const Table& table : csv_tables(results))
+    if (table.name == name) return table;
+  ADD_FAILURE() << "no table " << name;
+  return {};
+}
+
+inline Cell cell_of(const Table& table, std::size_t row, const std::string& stem) {
+  for (std::size_t c = 0; c < table.columns.size(); ++c)
+    if (table.columns[c].stem == stem) return table.rows.at(row)[c];
+  ADD_FAILURE() << "no column " << stem;
+  return 0.0;
+}
+
+inline double number(const Table& table, std::size_t row, const std::string& stem) {
+  return estimate_of(cell_of(table, row, stem)).value;
 }
 
 inline Figure figure_named(const std::vector<Figure>& figures, const std::string& name) {

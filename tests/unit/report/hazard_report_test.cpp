@@ -32,18 +32,13 @@ Results made_up_hazard() {
   return results;
 }
 
-Table table_of(const Results& results, const char* name) {
-  const std::vector<Table> tables = csv_tables(results);
-  return *std::ranges::find(tables, FileName(name), &Table::name);
-}
-
 TEST(hazard_report, has_a_row_for_each_run_and_threshold_target_and_quantity) {
   const Results r = made_up_hazard();
   const std::size_t runs = r.runs.size();
-  EXPECT_EQ(table_of(r, "hazard").rows.size(), runs * r.thresholds_m.size());
-  EXPECT_EQ(table_of(r, "hazard_targets").rows.size(), runs * 2);
-  EXPECT_EQ(table_of(r, "design_life").rows.size(), runs * 3);
-  EXPECT_EQ(table_of(r, "hazard_curve").rows.size(), runs * r.hazard->runs[0].curve.size());
+  EXPECT_EQ(table_named(r, "hazard").rows.size(), runs * r.thresholds_m.size());
+  EXPECT_EQ(table_named(r, "hazard_targets").rows.size(), runs * 2);
+  EXPECT_EQ(table_named(r, "design_life").rows.size(), runs * 3);
+  EXPECT_EQ(table_named(r, "hazard_curve").rows.size(), runs * r.hazard->runs[0].curve.size());
   EXPECT_THAT(html_report(r, {}), states("25 years"));
 }
 
@@ -68,7 +63,7 @@ TEST(hazard_report, compares_what_is_prescribed_with_the_displacement_of_1_perce
         {Standard::seaoc_pv1_2012, 1.0, {0.5, Provenance::checked, ""}, {1e-3, {5e-4, 2e-3}}}};
   }
   ASSERT_TRUE(has_table());
-  const Table table = table_of(r, "hazard_standards");
+  const Table table = table_named(r, "hazard_standards");
   const double target_m = 0.1 * std::sqrt(1e-3 / rate_of(0.01, 50.0));
   EXPECT_NEAR(std::get<NumberCell>(table.rows[0][7]).value, target_m, 1e-12);
   EXPECT_NEAR(std::get<double>(table.rows[0][8]), target_m / 0.5, 1e-12);
@@ -90,11 +85,11 @@ TEST(hazard_report, marks_what_rests_on_shaking_below_the_levels) {
   }
   for (const char* name : {"hazard_curve", "hazard_targets", "hazard_standards", "design_life",
                            "design_life_distribution"}) {
-    const std::string csv = to_csv(table_of(r, name));
+    const std::string csv = to_csv(table_named(r, name));
     EXPECT_THAT(csv, HasSubstr("# > is a lower bound")) << name;
     EXPECT_THAT(csv, HasSubstr("below_share")) << name;
   }
-  const Table curve = table_of(r, "hazard_curve");
+  const Table curve = table_named(r, "hazard_curve");
   EXPECT_EQ(cell_text(curve.columns[2], curve.rows[0][2]).substr(0, 2), "> ");
   EXPECT_THAT(answer_sentences(r), Contains(states("is not known", "lowest level already")));
   EXPECT_THAT(answer_sentences(r), Contains(states("or more", "20 %", "begin the levels lower")));
@@ -131,7 +126,8 @@ TEST(hazard_report, draws_the_distribution_over_the_design_life) {
 TEST(hazard_report, states_what_is_kept_over_a_design_life) {
   const Results r = made_up_hazard();
   for (const char* name : {"design_life", "design_life_distribution"})
-    EXPECT_THAT(table_of(r, name).notes, Contains(states("record", "orientation", "whole life")));
+    EXPECT_THAT(table_named(r, name).notes,
+                Contains(states("record", "orientation", "whole life")));
   EXPECT_THAT(figure_named(make_figures(r), "design_life").caption,
               states("orientation", "whole life"));
 }

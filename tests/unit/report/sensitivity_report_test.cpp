@@ -39,20 +39,15 @@ Results made_up() {
   return r;
 }
 
-std::vector<std::vector<Cell>> rows_of(const Results& results, const char* name) {
-  const std::vector<Table> tables = csv_tables(results);
-  return std::ranges::find(tables, FileName(name), &Table::name)->rows;
-}
-
 TEST(sensitivity_report, has_a_row_for_each_factor) {
   const Results r = made_up();
-  const auto rows = rows_of(r, "sensitivity");
+  const auto rows = table_named(r, "sensitivity").rows;
   ASSERT_EQ(rows.size(), 4u);
   EXPECT_EQ(std::get<std::string>(rows[3][3]), "friction");
   EXPECT_EQ(std::get<NumberCell>(rows[3][4]).value, 0.2);
   EXPECT_EQ(std::get<NumberCell>(rows[3][5]).value, 0.25);
-  EXPECT_EQ(rows_of(r, "sensitivity_levels").size(), 4u);
-  EXPECT_EQ(rows_of(r, "design_friction").size(), 1u);
+  EXPECT_EQ(table_named(r, "sensitivity_levels").rows.size(), 4u);
+  EXPECT_EQ(table_named(r, "design_friction").rows.size(), 1u);
 }
 
 TEST(sensitivity_report, states_shares_errors_and_limits) {

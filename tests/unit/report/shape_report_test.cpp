@@ -5,6 +5,7 @@
 
 #include "analysis/shape/shape.hpp"
 #include "facts.hpp"
+#include "figure_facts.hpp"
 #include "glissade/report/html.hpp"
 #include "glissade/report/summary.hpp"
 #include "glissade/report/tables.hpp"
@@ -45,20 +46,15 @@ Results made_up() {
   return r;
 }
 
-std::vector<std::vector<Cell>> rows_of(const Results& results, const char* name) {
-  const std::vector<Table> tables = csv_tables(results);
-  return std::ranges::find(tables, FileName(name), &Table::name)->rows;
-}
-
 TEST(shape_report, has_a_row_for_each_threshold_model_and_level) {
   const Results r = made_up();
   const std::size_t runs = r.runs.size(), thresholds = r.thresholds_m.size();
-  EXPECT_EQ(rows_of(r, "shape").size(), runs * thresholds);
-  EXPECT_EQ(rows_of(r, "shape_models").size(), runs * shape_model_count);
-  EXPECT_EQ(rows_of(r, "shape_levels").size(), runs * thresholds * r.levels.size());
-  EXPECT_EQ(rows_of(r, "shape_crossings").size(), runs);
-  EXPECT_EQ(rows_of(r, "shape_surface").size(), runs);
-  const auto models = rows_of(r, "shape_models");
+  EXPECT_EQ(table_named(r, "shape").rows.size(), runs * thresholds);
+  EXPECT_EQ(table_named(r, "shape_models").rows.size(), runs * shape_model_count);
+  EXPECT_EQ(table_named(r, "shape_levels").rows.size(), runs * thresholds * r.levels.size());
+  EXPECT_EQ(table_named(r, "shape_crossings").rows.size(), runs);
+  EXPECT_EQ(table_named(r, "shape_surface").rows.size(), runs);
+  const auto models = table_named(r, "shape_models").rows;
   EXPECT_EQ(std::get<std::string>(models[2].back()), "worse");
   EXPECT_EQ(std::get<std::string>(models[3].back()), "better");
   EXPECT_EQ(std::get<std::string>(models[4].back()), "no clear difference");

@@ -10,6 +10,7 @@
 #include <sstream>
 
 #include "facts.hpp"
+#include "figure_facts.hpp"
 #include "glissade/core/wrap.hpp"
 #include "glissade/report/figures.hpp"
 #include "glissade/report/html.hpp"
@@ -207,13 +208,6 @@ TEST(stripes_table, counts_what_the_histories_show) {
   const std::vector<Cell>& row = table.rows[last];
   EXPECT_EQ(std::get<double>(row[3]), static_cast<double>(histories.records * run.cases));
   EXPECT_EQ(std::get<double>(row[4]), above);
-}
-
-Cell cell_of(const Table& table, std::size_t row, const std::string& stem) {
-  for (std::size_t c = 0; c < table.columns.size(); ++c)
-    if (table.columns[c].stem == stem) return table.rows.at(row)[c];
-  ADD_FAILURE() << "no column " << stem;
-  return 0.0;
 }
 
 TEST(samples_table, has_a_row_for_each_sample_and_a_column_for_each_parameter) {

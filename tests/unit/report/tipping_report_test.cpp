@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "facts.hpp"
+#include "figure_facts.hpp"
 #include "glissade/report/html.hpp"
 #include "glissade/report/summary.hpp"
 #include "glissade/report/tables.hpp"
@@ -31,14 +32,9 @@ Results made_up(double least_friction) {
   return r;
 }
 
-Table table_of(const Results& results) {
-  const std::vector<Table> tables = csv_tables(results);
-  return *std::ranges::find(tables, FileName("tipping"), &Table::name);
-}
-
 TEST(tipping_report, names_the_records_that_tip_and_where) {
   const Results r = made_up(0.0);
-  const Table table = table_of(r);
+  const Table table = table_named(r, "tipping");
   ASSERT_EQ(table.rows.size(), r.tipping->shares.size());
   const auto& row = table.rows.at(r.levels.size() - 1);
   EXPECT_EQ(std::get<std::string>(row.back()), r.records[1].id);

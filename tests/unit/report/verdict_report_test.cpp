@@ -61,15 +61,10 @@ Results made_up() {
   return r;
 }
 
-std::vector<std::vector<Cell>> rows_of(const Results& results, const char* name) {
-  const std::vector<Table> tables = csv_tables(results);
-  return std::ranges::find(tables, FileName(name), &Table::name)->rows;
-}
-
 TEST(verdict_report, has_a_row_for_each_kind_of_array_and_one_for_each_value) {
   const Results r = made_up();
-  EXPECT_EQ(rows_of(r, "verdict").size(), 6u);
-  const auto kinds = rows_of(r, "verdict_summary");
+  EXPECT_EQ(table_named(r, "verdict").rows.size(), 6u);
+  const auto kinds = table_named(r, "verdict_summary").rows;
   ASSERT_EQ(kinds.size(), 2u);
   EXPECT_EQ(std::get<std::string>(kinds[0][3]), "checked");
   EXPECT_EQ(std::get<std::string>(kinds[0][4]), "outside");
@@ -82,7 +77,9 @@ TEST(verdict_report, has_a_row_for_each_kind_of_array_and_one_for_each_value) {
 
 TEST(verdict_report, says_which_prescribed_displacements_are_recalled) {
   Results r = made_up();
-  const auto provision = [&] { return std::get<std::string>(rows_of(r, "verdict_summary")[0][3]); };
+  const auto provision = [&] {
+    return std::get<std::string>(table_named(r, "verdict_summary").rows[0][3]);
+  };
   r.verdict->rows[0].prescribed.provenance = Provenance::recalled;
   EXPECT_EQ(provision(), "partly recalled");
   for (VerdictRow& row : r.verdict->rows) row.prescribed.provenance = Provenance::recalled;
@@ -98,8 +95,8 @@ TEST(verdict_report, says_within_and_outside_the_conditions_apart) {
 
 TEST(verdict_report, says_how_probably_two_arrays_close_their_gap_beside_the_figures_of_one) {
   const Results r = made_up();
-  EXPECT_EQ(rows_of(r, "verdict_separations").size(), 18u);
-  const auto kinds = rows_of(r, "verdict_separations_summary");
+  EXPECT_EQ(table_named(r, "verdict_separations").rows.size(), 18u);
+  const auto kinds = table_named(r, "verdict_separations_summary").rows;
   ASSERT_EQ(kinds.size(), 2u);
   EXPECT_EQ(std::get<NumberCell>(kinds[0][4]).value, 0.375);  // the worse of both gaps
   EXPECT_EQ(std::get<NumberCell>(kinds[0][5]).value, 0.0);
@@ -125,7 +122,8 @@ TEST(verdict_report, of_arrays_that_differ_in_more_names_them_and_draws_the_larg
   heavier.condition = "mass ratio 0.1";
   heavier.displacement_m.front() = 6.0;  // ten times what is prescribed
   r.verdict->rows.push_back(heavier);
-  EXPECT_EQ(std::get<std::string>(rows_of(r, "verdict_summary").back().back()), "mass ratio 0.1");
+  EXPECT_EQ(std::get<std::string>(table_named(r, "verdict_summary").rows.back().back()),
+            "mass ratio 0.1");
   const Figure figure = verdict_figure(r);
   const DataSeries& line = figure.panels.at(0).series.at(3);  // friction 0.5, behind the bars
   ASSERT_EQ(line.x.size(), 3u);

@@ -15,11 +15,13 @@
 namespace glissade {
 namespace {
 
+using enum ConditionAxis;
+
 Condition shown(const Results& r) { return shown_condition(ConditionGrid(r)); }
 
 /// "T = 1 s".
 std::string period_text(const ConditionGrid& grid, std::size_t place) {
-  return fmt::format("T = {:g} s", grid.value(ConditionAxis::period, place));
+  return fmt::format("T = {:g} s", grid.value(period, place));
 }
 
 /// A ratio below a thousandth is reported as that.
@@ -67,9 +69,8 @@ std::string period_reading(const Results& r) {
   std::string text = fmt::format(
       "At {} the suite's mean is largest at {}. The largest over the periods is {}; times "
       "{:g}: a required clearance of {}",
-      label_of(grid, ConditionAxis::level, shown(r)), period_text(grid, period),
-      range_text(r, largest), r.clearance->factor,
-      clearance_text(r.clearance->factor * largest.of(rule)));
+      label_of(grid, level, shown(r)), period_text(grid, period), range_text(r, largest),
+      r.clearance->factor, clearance_text(r.clearance->factor * largest.of(rule)));
   if (r.cases.orientations > 1) {
     const OrientationRule other =
         rule == OrientationRule::largest ? OrientationRule::median : OrientationRule::largest;
@@ -143,26 +144,24 @@ std::string level_reading(const Results& r) {
     const OrientationRange range = over_orientations(r, {.suite = suite}, shown(r), Periods::one);
     parts.push_back(fmt::format("{} {}", r.suites[suite].name, range_text(r, range)));
   }
-  return fmt::format("On a building of {}: {}.",
-                     label_of(ConditionGrid(r), ConditionAxis::period, 0), fmt::join(parts, "; "));
+  return fmt::format("On a building of {}: {}.", label_of(ConditionGrid(r), period, 0),
+                     fmt::join(parts, "; "));
 }
 
 std::string yielding_reading(const Results& r) {
   const ConditionGrid grid(r);
   std::vector<std::string> buildings;
-  for (const Condition& building : shown_along(grid, ConditionAxis::period)) {
+  for (const Condition& building : shown_along(grid, period)) {
     const Condition reference = with_reference_strength(grid, building);
     std::vector<std::string> parts;
-    for (const Condition& at : along(grid, ConditionAxis::response_modification, building)) {
-      if (at[ConditionAxis::response_modification] ==
-          reference[ConditionAxis::response_modification])
-        continue;
+    for (const Condition& at : along(grid, response_modification, building)) {
+      if (at[response_modification] == reference[response_modification]) continue;
       parts.push_back(fmt::format("{} ({})",
                                   ratio_text(ratios_by_orientation(r, {}, at, reference)),
-                                  label_of(grid, ConditionAxis::response_modification, at)));
+                                  label_of(grid, response_modification, at)));
     }
-    buildings.push_back(fmt::format("{}: {}", label_of(grid, ConditionAxis::period, building),
-                                    fmt::join(parts, ", ")));
+    buildings.push_back(
+        fmt::format("{}: {}", label_of(grid, period, building), fmt::join(parts, ", ")));
   }
   return fmt::format(
       "Displacement over that on {} (median over the orientations and their range). {}.",
@@ -173,12 +172,12 @@ std::string slope_reading(const Results& r) {
   std::vector<std::string> parts;
   double flattest = 0.0, steepest = 0.0;
   const ConditionGrid grid(r);
-  for (const Condition& at : shown_along(grid, ConditionAxis::slope)) {
+  for (const Condition& at : shown_along(grid, slope)) {
     const OrientationRange range = over_orientations(r, {}, at, Periods::largest);
-    if (at[ConditionAxis::slope] == 0) flattest = range.median;
+    if (at[slope] == 0) flattest = range.median;
     steepest = range.median;
-    parts.push_back(fmt::format("{} on {}", format_length(range.median),
-                                slope_text(grid.value(ConditionAxis::slope, at))));
+    parts.push_back(
+        fmt::format("{} on {}", format_length(range.median), slope_text(grid.value(slope, at))));
   }
   return fmt::format(
       "Largest mean over the periods: {}; {} times as much on the steepest as on the flattest.",
@@ -187,16 +186,15 @@ std::string slope_reading(const Results& r) {
 
 std::string mce_reading(const Results& r) {
   const ConditionGrid grid(r);
-  const std::size_t last = grid.size(ConditionAxis::level) - 1;
+  const std::size_t last = grid.size(level) - 1;
   Condition high;
-  high[ConditionAxis::level] = last;
+  high[level] = last;
   const std::size_t governing = governing_period(r, {}, {}, r.clearance->orientation);
   const OrientationRange weak = over_orientations(r, {}, {}, Periods::largest),
                          first = over_orientations(r, {}, {}, Periods::one),
                          strong = over_orientations(r, {}, high, Periods::one),
                          strongest = over_orientations(r, {}, high, Periods::largest);
-  const std::string low_name = label_of(grid, ConditionAxis::level, 0),
-                    high_name = label_of(grid, ConditionAxis::level, last);
+  const std::string low_name = label_of(grid, level, 0), high_name = label_of(grid, level, last);
   const std::string text = fmt::format(
       "Largest over the periods: {} at {} (at {}), {} at {}. At {}: {} at {}, {} "
       "at {}",
@@ -235,17 +233,17 @@ struct Topic {
 /// In the order of ClearanceTopic.
 constexpr Topic topics[] = {
     {[](const Results&) { return true; }, spectra_reading},
-    {several<ConditionAxis::period>, period_reading},
+    {several<period>, period_reading},
     {[](const Results&) { return false; }, level_reading},
     {[](const Results& r) {
-       return several<ConditionAxis::response_modification>(r) &&
+       return several<response_modification>(r) &&
               ConditionGrid(r).case_at({}).response_modification == 0.0;
      },
      yielding_reading},
-    {several<ConditionAxis::slope>, slope_reading},
-    {several<ConditionAxis::level>, mce_reading},
-    {several<ConditionAxis::vertical>, axis_reading<ConditionAxis::vertical>},
-    {several<ConditionAxis::mass>, axis_reading<ConditionAxis::mass>},
+    {several<slope>, slope_reading},
+    {several<level>, mce_reading},
+    {several<vertical>, axis_reading<vertical>},
+    {several<mass>, axis_reading<mass>},
     {[](const Results& r) { return r.cases.orientations > 1; }, orientation_reading}};
 
 const Topic& topic_of(ClearanceTopic topic) { return topics[static_cast<std::size_t>(topic)]; }

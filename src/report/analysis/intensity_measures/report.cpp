@@ -55,19 +55,16 @@ Table intensity_measures_table(const Results& results) {
         "standard deviation of the records' ln capacity in it", true},
        {"smallest_share", "", "Ranks first in", ColumnKind::share,
         "share of the resamples of the records in which it ranks first"},
-       {"magnitude_slope", "", "Slope on M", ColumnKind::number,
-        "slope of ln capacity on magnitude; nan: not known"},
+       detail({"magnitude_slope", "", "Slope on M", ColumnKind::number,
+               "slope of ln capacity on magnitude; nan: not known"}),
        {"magnitude_p", "", "p", ColumnKind::number, "p-value of the slope on magnitude"},
-       {"distance_slope", "", "Slope on ln R", ColumnKind::number,
-        "slope of ln capacity on ln distance; nan: not known"},
+       detail({"distance_slope", "", "Slope on ln R", ColumnKind::number,
+               "slope of ln capacity on ln distance; nan: not known"}),
        {"distance_p", "", "p", ColumnKind::number, "p-value of the slope on ln distance"},
-       {"censored_records", "", "Records not reached", ColumnKind::count,
-        "records of which half do not reach the threshold"},
-       {"is_pair", "", "Two measures", ColumnKind::count, "1: of two measures"}},
+       detail({"censored_records", "", "Records not reached", ColumnKind::count,
+               "records of which half do not reach the threshold"}),
+       detail({"is_pair", "", "Two measures", ColumnKind::count, "1: of two measures"})},
       {}};
-  for (Column& column : table.columns)
-    column.detail = column.stem == "magnitude_slope" || column.stem == "distance_slope" ||
-                    column.stem == "censored_records" || column.stem == "is_pair";
   for (const RankedMeasure& row : *results.intensity_measures)
     table.add({results.runs[row.run].label, row.threshold_m, row.name, row.dispersion,
                row.smallest_share, row.magnitude_slope, row.magnitude_p, row.distance_slope,

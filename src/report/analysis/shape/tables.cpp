@@ -74,13 +74,11 @@ Table shape_table(const Results& results) {
        text_column("best", "Best model", "best model, or why none was compared"),
        {"recrossed", "", "Recross", ColumnKind::share,
         "share of histories that reached the threshold at a lower level and do not here"},
-       {"distance", "", "Distance", ColumnKind::number,
-        "Cramer-von Mises distance of capacities and curve"},
-       {"correlation", "", "Correlation in a record", ColumnKind::number,
-        "correlation of the normal scores of a record's capacities"}},
+       detail({"distance", "", "Distance", ColumnKind::number,
+               "Cramer-von Mises distance of capacities and curve"}),
+       detail({"correlation", "", "Correlation in a record", ColumnKind::number,
+               "correlation of the normal scores of a record's capacities"})},
       {}};
-  for (const char* stem : {"distance", "correlation"})
-    std::ranges::find(table.columns, stem, &Column::stem)->detail = true;
   for (std::size_t r = 0; r < results.runs.size(); ++r) {
     for (std::size_t t = 0; t < results.thresholds_m.size(); ++t) {
       const GoodnessOfFit& fit = results.runs[r].fragilities[t].lognormal;
