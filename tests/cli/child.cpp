@@ -125,19 +125,26 @@ std::string read_file(const fs::path& file) {
   return text.str();
 }
 
-namespace {
-
-std::vector<std::string> split(const std::string& text, char separator) {
-  std::vector<std::string> parts;
+std::vector<std::string> lines_of(const std::string& text) {
+  std::vector<std::string> lines;
   std::istringstream stream(text);
-  for (std::string part; std::getline(stream, part, separator);) parts.push_back(part);
-  return parts;
+  for (std::string line; std::getline(stream, line);) lines.push_back(line);
+  return lines;
 }
 
-}  // namespace
-
-std::vector<std::string> lines_of(const std::string& text) { return split(text, '\n'); }
-std::vector<std::string> cells_of(const std::string& line) { return split(line, ','); }
+std::vector<std::string> cells_of(const std::string& line) {
+  std::vector<std::string> cells(1);
+  bool is_quoted = false;
+  for (const char c : line) {
+    if (c == '"')
+      is_quoted = !is_quoted;
+    else if (c == ',' && !is_quoted)
+      cells.emplace_back();
+    else
+      cells.back() += c;
+  }
+  return cells;
+}
 
 void expect_refused(const Finished& child, const std::vector<std::string>& parts) {
   EXPECT_EQ(child.status, 2) << child.err;

@@ -64,7 +64,7 @@ std::vector<std::vector<std::string>> all_commands();
 
 std::string read_file(const std::filesystem::path& file);
 std::vector<std::string> lines_of(const std::string& text);
-/// A line of CSV without quotes.
+/// Of a line of CSV, without their quotes.
 std::vector<std::string> cells_of(const std::string& line);
 
 /// Fails the test unless the program refused its input: status 2, nothing on standard output, and

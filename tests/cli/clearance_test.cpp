@@ -6,6 +6,7 @@
 #include "cli/one_run.hpp"
 #include "cli/small_clearance.hpp"
 #include "cli/small_study.hpp"
+#include "cli/table_rows.hpp"
 #include "facts.hpp"
 #include "one_line.hpp"
 
@@ -65,17 +66,12 @@ TEST_F(Clearance, run_json_counts_the_histories_that_were_run) {
 TEST_F(Clearance, run_json_and_terminal_state_the_orientation_that_counts) {
   const auto json = nlohmann::json::parse(read_file(out() / "run.json"));
   EXPECT_EQ(json.at("required_clearance").at("orientation"), "largest");
-  std::vector<std::string> lines = lines_of(read_file(out() / "tables/clearances.csv"));
-  std::erase_if(lines, [](const std::string& line) { return line.starts_with("#"); });
-  ASSERT_EQ(lines.size(), 2u);
-  const auto number = [&](const std::string& stem) {
-    const std::vector<std::string> header = cells_of(lines[0]);
-    const auto column = std::ranges::find(header, stem + "_m") - header.begin();
-    return std::stod(cells_of(lines[1]).at(static_cast<std::size_t>(column)));
-  };
-  EXPECT_EQ(number("clearance"), number("clearance_highest"));
-  EXPECT_GT(number("clearance"), number("clearance_median"));
-  EXPECT_NEAR(json.at("required_clearance").at("largest_m"), number("clearance"), 1e-6);
+  const std::vector<Row> rows = rows_of(read_file(out() / "tables/clearances.csv"));
+  ASSERT_EQ(rows.size(), 1u);
+  const double clearance_m = number(rows[0], "clearance_m");
+  EXPECT_EQ(clearance_m, number(rows[0], "clearance_highest_m"));
+  EXPECT_GT(clearance_m, number(rows[0], "clearance_median_m"));
+  EXPECT_NEAR(json.at("required_clearance").at("largest_m"), clearance_m, 1e-6);
   EXPECT_THAT(one_line(finished_.out), states("largest"));
 }
 

@@ -11,10 +11,10 @@
 #include <regex>
 #include <sstream>
 
-#include "cli/child.hpp"
 #include "cli/killed_run.hpp"
 #include "cli/one_package.hpp"
 #include "cli/shaking.hpp"
+#include "cli/table_rows.hpp"
 #include "facts.hpp"
 #include "glissade/block/two_axis.hpp"
 #include "glissade/building/modes.hpp"
@@ -102,7 +102,6 @@ TEST_F(Package, mean_and_analysis_add_up_from_the_displacements_of_the_records) 
   int records = 0;
   for (const std::string& line : lines_of(read_file(out() / "tables/record_displacements.csv"))) {
     if (line.starts_with("#") || line.starts_with("number")) continue;
-    const std::vector<std::string> cells = cells_of(line.substr(0, line.find_last_of(',')));
     const double value = std::stod(line.substr(line.find_last_of(',') + 1));
     if (line.find("Sum") != std::string::npos)
       printed_sum = value;
@@ -156,28 +155,14 @@ TEST_F(Package, has_the_site_values_of_the_published_calculation) {
 // From the histories of the demand study: the mean of the records in each orientation, the largest
 // over orientations, periods, alphas, with and without vertical, at design friction and DBE.
 TEST_F(Package, analysis_is_1_1_times_the_largest_mean_of_the_histories) {
-  std::map<std::string, std::size_t> column;
   std::map<std::string, std::pair<double, int>> sums;  // by everything but the record
-  for (const std::string& line : lines_of(read_file(out() / "demand/tables/histories.csv"))) {
-    if (line.starts_with("#")) continue;
-    std::string plain = line;  // cells in quotes hold commas
-    bool quoted = false;
-    for (char& c : plain) {
-      if (c == '"') quoted = !quoted;
-      if (c == ',' && quoted) c = ';';
-    }
-    const std::vector<std::string> cells = cells_of(plain);
-    if (column.empty()) {
-      for (std::size_t i = 0; i < cells.size(); ++i) column[cells[i]] = i;
-      continue;
-    }
-    const auto cell = [&](const char* name) { return cells.at(column.at(name)); };
-    const bool is_of_project = cell("condition").find("friction 0.474") != std::string::npos &&
-                               std::stod(cell("slope_deg")) < 2.0;  // not the steeper one
-    if (std::stod(cell("level_g")) > 1.1 || !is_of_project) continue;
-    auto& [sum_m, records] =
-        sums[cell("orientation") + cell("vertical") + cell("condition") + "|" + cell("period_s")];
-    sum_m += std::stod(cell("displacement_m"));
+  for (const Row& row : rows_of(read_file(out() / "demand/tables/histories.csv"))) {
+    const bool is_of_project = row.at("condition").find("friction 0.474") != std::string::npos &&
+                               number(row, "slope_deg") < 2.0;  // not the steeper one
+    if (number(row, "level_g") > 1.1 || !is_of_project) continue;
+    auto& [sum_m, records] = sums[row.at("orientation") + row.at("vertical") + row.at("condition") +
+                                  "|" + row.at("period_s")];
+    sum_m += number(row, "displacement_m");
     ++records;
   }
   double largest_m = 0.0;
@@ -484,9 +469,8 @@ TEST_F(Package, of_the_example_is_the_one_in_studies) {
 TEST_F(Package, workbook_has_the_numbers_of_the_tables) {
   const std::string text = text_of_workbook(out() / "package.xlsx");
   if (text.empty()) GTEST_SKIP() << "libxlsxwriter or Python is not installed (packages.txt)";
-  for (const char* part :
-       {"name=\"record_displacements\"", "<v>23.27</v>", "0.0&quot; in&quot;", "Provisions used",
-        "60 (S_DS - 0.4)^2 in, categories D to F"})
+  for (const char* part : {"name=\"record_displacements\"", "<v>23.27</v>", "0.0&quot; in&quot;",
+                           "Provisions used", "60 (S_DS - 0.4)^2 in, categories D to F"})
     EXPECT_THAT(text, testing::HasSubstr(part));
 }
 

@@ -7,8 +7,8 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
-#include "cli/child.hpp"
 #include "cli/small_study.hpp"
+#include "cli/table_rows.hpp"
 #include "facts.hpp"
 #include "glissade/design/design_clearance.hpp"
 #include "one_line.hpp"
@@ -65,41 +65,22 @@ class ProductSheet : public testing::Test {
   static void TearDownTestSuite() { delete folder_; }
   static fs::path out() { return folder_->path("out"); }
 
-  using Row = std::map<std::string, std::string>;
-  static std::vector<Row> rows_of(const fs::path& csv) {
-    std::vector<Row> rows;
-    std::vector<std::string> header;
-    for (const std::string& line : lines_of(read_file(csv))) {
-      if (line.starts_with("#")) continue;
-      const std::vector<std::string> cells = cells_of(line);
-      if (header.empty()) {
-        header = cells;
-        continue;
-      }
-      Row& row = rows.emplace_back();
-      for (std::size_t i = 0; i < header.size(); ++i) row[header[i]] = cells.at(i);
-    }
-    return rows;
-  }
+  static std::vector<Row> table(const fs::path& csv) { return rows_of(read_file(out() / csv)); }
 
   static inline ScratchFolder* folder_ = nullptr;
   static inline Finished finished_;
 };
 
-double number(const std::map<std::string, std::string>& row, const std::string& column) {
-  return std::stod(row.at(column));
-}
-
 TEST_F(ProductSheet, has_every_level_in_one_table_in_its_unit_rounded_up) {
   ASSERT_EQ(finished_.status, 0) << finished_.err;
-  const auto sheet = rows_of(out() / "tables/design_displacements.csv");
+  const auto sheet = table("tables/design_displacements.csv");
   ASSERT_EQ(sheet.size(), 2u * 3u);
   EXPECT_FALSE(std::signbit(rounded_up(0.0, 0.1)));  // "0", not "-0"
   std::size_t i = 0;
   double largest_ft = 0.0;
   for (const std::string target : {"target_1", "target_2"}) {
     std::map<std::pair<double, double>, double> design_ft;  // by slope and friction
-    for (const auto& row : rows_of(out() / target / "tables/chart.csv"))
+    for (const auto& row : table(target + "/tables/chart.csv"))
       if (number(row, "level_g") == 1.2)
         design_ft[{number(row, "slope_deg"), number(row, "mu")}] =
             1.1 * number(row, "mean_slip_m") / 0.3048;
@@ -142,11 +123,11 @@ TEST_F(ProductSheet, is_a_page_a_workbook_and_a_pdf) {
 // between the levels of the chart, whose means are linear there.
 TEST_F(ProductSheet, adds_up_the_earthquakes_that_are_smaller_than_the_event) {
   std::map<std::pair<double, double>, std::vector<std::pair<double, double>>> means;
-  for (const auto& row : rows_of(out() / "target_1/tables/chart.csv"))
+  for (const auto& row : table("target_1/tables/chart.csv"))
     means[{number(row, "slope_deg"), number(row, "mu")}].emplace_back(number(row, "level_g"),
                                                                       number(row, "mean_slip_m"));
   std::size_t compared = 0;
-  for (const auto& row : rows_of(out() / "tables/life_displacements.csv")) {
+  for (const auto& row : table("tables/life_displacements.csv")) {
     if (number(row, "sd1_g") != 0.5 || row.at("event_ft") == "slides") continue;
     const double event_g = number(row, "event_sds_g");
     // Rates are k0 x^-2.5, with that of the event 1/700.
