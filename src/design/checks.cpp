@@ -11,6 +11,7 @@
 #include "glissade/core/units.hpp"
 #include "glissade/design/of_project.hpp"
 #include "glissade/motion/scaling_rule.hpp"
+#include "glissade/motion/suite_scaling.hpp"
 #include "glissade/sampling/pull_test.hpp"
 
 namespace glissade {
@@ -65,7 +66,7 @@ std::vector<DesignCheck> spectrum_checks(const Project& project, const Results& 
            "between them",
            least_over_target),
        lowest.ratio >= least_over_target}};
-  const double longest_s = 1.5 * periods_of(project).back();
+  const double longest_s = judged_to_s(periods_of(project).back());
   if (longest_s <= longest_scaled_period_s) return checks;
   const double known_s = spectra.periods_s.back(), to_s = std::min(longest_s, known_s);
   constexpr double rounding = 5e-4;  // the spectra are at other periods than those of the scaling

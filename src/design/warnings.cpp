@@ -159,9 +159,7 @@ std::vector<DesignWarning> warnings_on(const Project& project) {
                   both_units(project.round_up_m, project.units)));
   add(project.friction.std == 0.0,
       "the friction has no scatter (std 0): its design value is the mean");
-  add(project.friction.mean > most_probable_friction,
-      fmt::format("a mean friction of {:.3g} is above {:g}: no roof is known for it",
-                  project.friction.mean, most_probable_friction));
+  add_found(improbable_friction("a mean friction", project.friction.mean));
   add_found(unmarked_numbers(project.unmarked_numbers));
   add_all(choices_of(project.friction));
   if (project.hazard) {

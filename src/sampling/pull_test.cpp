@@ -101,6 +101,12 @@ double mean_speed_mps(const PullTest& test, const std::vector<double>& slip_m, P
 
 }  // namespace
 
+std::string improbable_friction(const std::string& what, double mu) {
+  if (mu <= most_probable_friction) return "";
+  return fmt::format("{} of {:.3g} is above {:g}: no roof is known for it", what, mu,
+                     most_probable_friction);
+}
+
 std::string pull_test_provision() {
   return fmt::format(
       "laboratories are asked for tests by ASTM G115, and SEAOC PV1-2012 for {} tests or more, "

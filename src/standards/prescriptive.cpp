@@ -37,6 +37,10 @@ Prescription not_less_than(const Prescription& floor, const Prescription& formul
 
 }  // namespace
 
+std::string key_of(Standard standard) {
+  return standard == Standard::seaoc_pv1_2012 ? "seaoc_pv1_2012" : "asce7_16";
+}
+
 SeismicDesignCategory parse_seismic_design_category(const std::string& text) {
   const auto found = std::ranges::find(category_names, text);
   if (found == category_names.end()) {

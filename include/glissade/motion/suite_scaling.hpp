@@ -11,6 +11,9 @@ namespace glissade {
 
 /// Of Walters et al. (2012), who scale from 0 to here.
 inline constexpr double longest_scaled_period_s = 2.0;
+/// To where a suite is judged for buildings of up to this period (1.5 times it: ASCE 7-16, 16.2,
+/// recalled), if that is beyond.
+constexpr double judged_to_s(double longest_period_s) { return 1.5 * longest_period_s; }
 /// Of a suite that is scaled to 1.5 times a building period.
 inline constexpr double longest_possible_scaled_s = 30.0;
 /// The least average SRSS spectrum over the target of a suite that meets it: up to there (nowhere
@@ -25,8 +28,6 @@ std::vector<double> periods_beyond_scaled_s(double to_s);
 
 /// 5 % SRSS spectra of the unscaled horizontals in g: by motion, then by period.
 using SpectrumRows = std::vector<std::vector<double>>;
-/// At walters_periods_s().
-std::vector<double> walters_spectrum_g(const Motion& motion);
 
 /// The one factor on the whole suite (each motion's own `scale` applied first) for which the
 /// average over motions of the SRSS spectra of their horizontals (5 %) is nowhere below
@@ -42,8 +43,8 @@ double suite_average_factor(const Suite& suite, const std::function<double(doubl
 
 /// Multiplies the scale of each motion by the median PGV of the suite over its own, so that motions
 /// differ by their nature and not by how strong their earthquakes were (FEMA P-695, 2009, A.8,
-/// recalled). PGV: geometric mean of both horizontals, times the motion's scale. Throws InputError as
-/// suite_average_factor does.
+/// recalled). PGV: geometric mean of both horizontals, times the motion's scale. Throws InputError
+/// as suite_average_factor does.
 void normalise_by_pgv(Suite& suite);
 
 /// An average spectrum over its target, at a period.

@@ -12,6 +12,8 @@ inline constexpr double least_probable_friction = 0.2, most_probable_friction = 
 /// No pull of an array over a roof has shown more: a larger coefficient is an error of units or of
 /// a decimal point.
 inline constexpr double largest_friction = 2.0;
+/// "" of one that a roof may have. @param what "a mean friction"
+std::string improbable_friction(const std::string& what, double mu);
 
 /// What pull tests are asked for, all recalled: verify against ASTM G115 and SEAOC PV1-2012.
 inline constexpr std::size_t least_pull_tests = 3;

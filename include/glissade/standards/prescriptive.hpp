@@ -7,6 +7,8 @@
 namespace glissade {
 
 enum class Standard { seaoc_pv1_2012, asce7_16 };
+/// "seaoc_pv1_2012": in files.
+std::string key_of(Standard standard);
 
 enum class SeismicDesignCategory { a, b, c, d, e, f };
 SeismicDesignCategory parse_seismic_design_category(const std::string& text);

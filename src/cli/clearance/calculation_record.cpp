@@ -75,8 +75,7 @@ CalculationJson json_of(const RoofPeak& roof) {
 }
 
 CalculationJson prescribed_json(const PrescribedValue& value) {
-  const bool is_asce = value.standard == Standard::asce7_16;
-  CalculationJson json{{"standard", is_asce ? "asce7_16" : "seaoc_pv1_2012"},
+  CalculationJson json{{"standard", key_of(value.standard)},
                        {"value_m", value.prescribed.value_m},
                        {"conditions_met", value.may_be_used()},
                        {"conditions_not_met", value.not_met()}};

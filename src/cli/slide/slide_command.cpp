@@ -121,12 +121,9 @@ std::vector<std::string> warnings_on(const SlideOptions& o, const Motion& motion
     warnings.push_back(fmt::format(
         "a PGA of {:.3g} g, with its factor, is above {:g} g: no recorded motion has it", pga_g,
         most_probable_pga_g));
-  if (o.c.friction > most_probable_friction)
-    warnings.push_back(fmt::format("a friction of {:.3g} is above {:g}: no roof is known for it",
-                                   o.c.friction, most_probable_friction));
-  if (o.c.period_s > longest_probable_period_s)
-    warnings.push_back(fmt::format(
-        "a building period of {:g} s is longer than that of any building", o.c.period_s));
+  for (std::string& text :
+       std::array{improbable_friction("a friction", o.c.friction), improbable_period(o.c.period_s)})
+    if (!text.empty()) warnings.push_back(std::move(text));
   if (o.building().is_one_mass())
     if (std::string text = one_mass_sentence(std::nullopt, o.c.period_s); !text.empty())
       warnings.push_back(text + ": give --alpha");

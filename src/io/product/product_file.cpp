@@ -87,9 +87,8 @@ std::string study_of(const Product& product, std::size_t target, const fs::path&
              has_chart ? "" : "\n[chart]\n");
 }
 
-/// As ASCE 7-16, 16.2 (recalled) has it.
 double scaled_to_s(const StudyConfig& study) {
-  return 1.5 * study.quantities.at("building", "period_s").largest();
+  return judged_to_s(study.quantities.at("building", "period_s").largest());
 }
 
 std::optional<HazardConfig> hazard_of(const TomlTable& table, const ProductTarget& target,

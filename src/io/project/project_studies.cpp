@@ -44,7 +44,7 @@ std::string scaled_by(const Project& project) {
   if (project.scaling_rule != ScalingRule::walters_2012)
     return fmt::format("scaling_rule = {}\n", quoted(text_of(project.scaling_rule).key));
   if (project.without_target) return "";
-  const double to_s = 1.5 * periods_of(project).back();
+  const double to_s = judged_to_s(periods_of(project).back());
   return to_s > longest_scaled_period_s ? fmt::format("scaled_to_s = {}\n", to_s) : "";
 }
 

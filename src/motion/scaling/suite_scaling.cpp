@@ -55,10 +55,6 @@ std::vector<double> periods_beyond_scaled_s(double to_s) {
   return periods_s;
 }
 
-std::vector<double> walters_spectrum_g(const Motion& motion) {
-  return srss_spectrum_g(motion, walters_periods_s());
-}
-
 namespace {
 
 void refuse_improper(const Suite& suite) {

@@ -72,9 +72,9 @@ Figure demand_figure(const CalculationPackage& package) {
 Figure site_spectra_figure(const CalculationPackage& package) {
   const SuiteSummary& suite = package.demand.suites.front();
   const std::vector<double>& periods_s = package.project.building.period_s;
-  Figure figure =
-      spectra_figure(suite.spectra, {suite.name, "scaled to DBE", "target (design spectrum)",
-                                     std::max(longest_scaled_period_s, 1.5 * periods_s.back())});
+  Figure figure = spectra_figure(
+      suite.spectra, {suite.name, "scaled to DBE", "target (design spectrum)",
+                      std::max(longest_scaled_period_s, judged_to_s(periods_s.back()))});
   for (const double period_s : {periods_s.front(), periods_s.back()})
     figure.panels.front().rules.push_back({Rule::Kind::vertical, period_s, look(Role::reference)});
   figure.panels.front().rules.front().label =

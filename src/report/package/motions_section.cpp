@@ -31,7 +31,7 @@ Html motions_html(const CalculationPackage& package, const std::vector<DrawnFigu
   if (package.project.of_roof) return roof_motions_html(package);
   const SuiteSpectra& spectra = package.demand.suites.front().spectra;
   const SpectralRatios& ratios = spectra.to_target;
-  const double to_s = 1.5 * periods_of(package.project).back();
+  const double to_s = judged_to_s(periods_of(package.project).back());
   const std::string beyond =
       to_s > longest_scaled_period_s && !package.project.without_target
           ? fmt::format(

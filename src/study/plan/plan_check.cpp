@@ -295,12 +295,11 @@ std::optional<MissedTarget> missed_target(const Plan& plan, std::size_t suite) {
           fmt::format("multiply the suite's scales by {:.4g}, measure by sds_g, which scales it",
                       1.0 / lowest.ratio)};
   }
-  // To 1.5 times the longest building period: Walters's rule ends at 2 s, and
-  // is of buildings to 2 s.
-  const double longest_s = longest_period_s(plan);
-  if (1.5 * longest_s <= longest_scaled_period_s || !gives_clearance(plan)) return {};
-  const SpectralRatio lowest = lowest_ratio_to_target(plan.suites[suite], factors, mce_g,
-                                                      periods_beyond_scaled_s(1.5 * longest_s));
+  // Walters's rule ends at 2 s, and is of buildings to 2 s.
+  const double longest_s = longest_period_s(plan), to_s = judged_to_s(longest_s);
+  if (to_s <= longest_scaled_period_s || !gives_clearance(plan)) return {};
+  const SpectralRatio lowest =
+      lowest_ratio_to_target(plan.suites[suite], factors, mce_g, periods_beyond_scaled_s(to_s));
   constexpr double rounding = 1e-12;
   if (lowest.ratio >= least_over_target_beyond * (1.0 - rounding)) return {};
   const double missing = least_over_target_beyond / lowest.ratio;
@@ -309,13 +308,13 @@ std::optional<MissedTarget> missed_target(const Plan& plan, std::size_t suite) {
                   "for a building period of {:g} s it must be {:g} times or more from {:g} s to "
                   "{:g} s, 1.5 times that period",
                   lowest.ratio, lowest.period_s, longest_s, least_over_target_beyond,
-                  longest_scaled_period_s, 1.5 * longest_s),
-      1.5 * longest_s > longest_possible_scaled_s
+                  longest_scaled_period_s, to_s),
+      to_s > longest_possible_scaled_s
           ? "check the period: no building has such a one"
           : "take records that reach it (`glissade suite select`), " +
                 (by_sds ? fmt::format(
                               "set intensity.scaled_to_s = {:g}, which multiplies all by {:.4g}",
-                              1.5 * longest_s, missing)
+                              to_s, missing)
                         : fmt::format("multiply the suite's scales by {:.4g}", missing)),
       // Walters et al. (2012) scale to 2 s for buildings of up to 2 s.
       longest_s > longest_scaled_period_s};

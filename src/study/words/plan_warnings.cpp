@@ -106,12 +106,10 @@ Warnings improbable_buildings(const Plan& plan) {
     slope_deg = std::max(slope_deg, std::abs(c.slope_deg));
   }
   Warnings warnings;
-  if (longest_s > longest_probable_period_s)
-    warnings.push_back(
-        fmt::format("a building period of {:g} s is longer than that of any building", longest_s));
   for (const std::string& text :
-       {longest_s > 0.0 ? improbable_damping(damping) : "", improbable_mass_ratio(mass_ratio),
-        improbable_slope(slope_deg), unmarked_numbers(plan.config.unmarked_numbers)})
+       {improbable_period(longest_s), longest_s > 0.0 ? improbable_damping(damping) : "",
+        improbable_mass_ratio(mass_ratio), improbable_slope(slope_deg),
+        unmarked_numbers(plan.config.unmarked_numbers)})
     if (!text.empty()) warnings.push_back(text);
   return warnings;
 }
@@ -138,9 +136,9 @@ Warnings high_friction(const Plan& plan) {
   for (const char* key : {"mu", "across_mu"}) {
     const Quantity& mu = plan.config.quantities.at("friction", key);
     const double largest = mu.is_drawn() ? mean(*mu.drawn) : mu.largest();
-    if (largest > most_probable_friction)
-      return {fmt::format("friction.{} of {:.3g} is above {:g}: no roof is known for it", key,
-                          largest, most_probable_friction)};
+    if (std::string text = improbable_friction(fmt::format("friction.{}", key), largest);
+        !text.empty())
+      return {std::move(text)};
   }
   return {};
 }

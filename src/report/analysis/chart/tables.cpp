@@ -35,11 +35,6 @@ Cell slip_cell(const ChartStatistic& statistic, const ChartPoint& point) {
   return slip_m;
 }
 
-/// "seaoc_pv1_2012": a standard's name as a column's stem.
-std::string stem_of(Standard standard) {
-  return standard == Standard::seaoc_pv1_2012 ? "seaoc_pv1_2012" : "asce7_16";
-}
-
 std::vector<std::string> reading_notes(const Results& results) {
   std::vector<std::string> notes = {
       how_counted(results),
@@ -80,7 +75,7 @@ Table chart_table(const Results& results) {
       {"uplift_share", "", "Uplift", ColumnKind::share, "share of histories with uplift"});
   for (const Standard standard : standards) {
     table.columns.push_back(
-        {stem_of(standard), "m", standard_name(standard) + ", m (in)", ColumnKind::length,
+        {key_of(standard), "m", standard_name(standard) + ", m (in)", ColumnKind::length,
          "displacement that " + standard_name(standard) + " prescribes; nan: does not apply"});
     table.notes.push_back(standard_name(standard) + " is for " + limits_of(standard) +
                           ": empty elsewhere.");
