@@ -22,6 +22,8 @@ HWY_INLINE V Length(V s, V y) { return hn::Sqrt(s * s + y * y); }
 /// Where the iteration of a stage is, or has ended: sigma = |M v|, lambda = t n.
 struct Braked {
   V sigma, lambda;
+  HWY_INLINE Braked() {}  // as of ModeSeries
+  HWY_INLINE Braked(V by_sigma, V by_lambda) : sigma(by_sigma), lambda(by_lambda) {}
 };
 
 /// The velocity v = known + t (p - n M e), M v = |M v| e, by which the roof is accelerated too;
@@ -123,13 +125,9 @@ class BrakedStage {
     const V zero = hn::Zero(Doubles()), one = Number(1.0), three = Number(3.0);
     const V d_s = a_s * at.sigma + at.lambda, d_y = a_y * at.sigma + at.lambda * aspect2;
     const V per = hn::Div(one, d_s * d_y);
-    Direction x;
-    x.inverse_s = per * d_y;
-    x.inverse_y = per * d_s;
-    x.s = q_s * x.inverse_s;
-    x.y = pushed * x.inverse_y;
-    x.square_s = x.s * x.s;
-    x.square_y = x.y * x.y;
+    const V inverse_s = per * d_y, inverse_y = per * d_s;
+    const V x_s = q_s * inverse_s, x_y = pushed * inverse_y;
+    const Direction x{inverse_s, inverse_y, x_s, x_y, x_s * x_s, x_y * x_y};
     const V size2 = x.square_s + x.square_y;
     // (|x| - 1) |x|^2, with |x| to the third order in |x|^2 - 1: times size2 + 3.
     V gain = (Number(2.0) * (size2 - one)) * size2;
