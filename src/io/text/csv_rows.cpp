@@ -131,17 +131,18 @@ void drop_empty_end(Cells& cells, std::size_t width) {
 }  // namespace
 
 Cells quoted_cells(std::string_view line, char separator) {
+  const bool are_pairs = std::ranges::count(line, '"') % 2 == 0;  // else they are inches
   Cells cells;
-  for (bool more = true; more;) {
-    line.remove_prefix(std::min(line.find_first_not_of(" "), line.size()));
-    const std::size_t quote = line.starts_with('"') ? line.find('"', 1) : line.npos;
-    const std::size_t end = line.find(separator, quote == line.npos ? 0 : quote);
-    std::string_view cell = trimmed(line.substr(0, end));
+  bool is_quoted = false;
+  std::size_t begin = 0;
+  for (std::size_t i = 0; i <= line.size(); ++i) {
+    if (i < line.size() && line[i] == '"') is_quoted = are_pairs && !is_quoted;
+    if (i < line.size() && (line[i] != separator || is_quoted)) continue;
+    std::string_view cell = trimmed(line.substr(begin, i - begin));
     if (cell.size() > 1 && cell.front() == '"' && cell.back() == '"')
       cell = trimmed(cell.substr(1, cell.size() - 2));
     cells.push_back(cell);
-    more = end != line.npos;
-    if (more) line.remove_prefix(end + 1);
+    begin = i + 1;
   }
   return cells;
 }

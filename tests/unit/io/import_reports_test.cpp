@@ -45,6 +45,19 @@ TEST_F(SuiteImporter, a_report_of_peer_gives_magnitude_distance_site_factor_and_
   EXPECT_THAT(suite.motions[0].notes, IsEmpty());
 }
 
+TEST_F(SuiteImporter, a_name_in_a_report_may_hold_quotes_and_stand_after_a_tab) {
+  write_triple();
+  for (const char* station : {"\"The \"\"Old\"\", Town\"", "\t\"Place, at Town\""}) {
+    std::string report = peer_report;
+    const std::string usual = "\"Place, at Town\"";
+    report.replace(report.find(usual), usual.size(), station);
+    const SuiteImport found = import_with_report(report);
+    ASSERT_EQ(found.records.size(), 1u) << station << reasons(found);
+    EXPECT_EQ(found.records[0].magnitude, 6.5);
+    EXPECT_THAT(found.records[0].station, HasSubstr(", "));
+  }
+}
+
 TEST_F(SuiteImporter, a_report_that_does_not_state_unscaled_files_is_warned_of) {
   write_triple();
   std::string report = peer_report;
