@@ -113,6 +113,11 @@ TEST(hazard, half_of_the_rate_is_of_shaking_above_the_median_of_the_deaggregatio
   two.capacity(0, 0, 0) = 1.1;  // above both: 2 rate(x) = (1 + 1 / 1.21) / 2 of 1e-3
   EXPECT_NEAR(two.run().thresholds.at(0).half_intensity, std::sqrt(4.0 / (1.0 + 1.0 / 1.21)),
               1e-14);
+  two.capacity(0, 0, 0) = infinity;  // as if at the highest level: half is below it
+  EXPECT_NEAR(two.run().thresholds.at(0).half_intensity, std::sqrt(1.0 / (0.5 - 0.5 / 81.0)),
+              1e-14);
+  two.capacity(1, 0, 0) = infinity;
+  EXPECT_EQ(two.run().thresholds.at(0).half_intensity, infinity);
 }
 
 TEST(hazard, rates_double_with_the_hazard) {

@@ -35,7 +35,7 @@ struct ThresholdRate {
   double beyond_share = 0.0;    ///< part of the rate that comes from histories so counted
   double fit_rate = 0.0;        ///< of the lognormal fit; NaN without one
   Estimate life_probability;    ///< of one exceedance or more in the design life
-  double half_intensity = 0.0;  ///< half of the rate is of stronger shaking; NaN of an infinite one
+  double half_intensity = 0.0;  ///< half of the rate is of stronger shaking (theory.md, 6.5)
 
   /// Most of the rate is that assumption: an upper bound, without an interval.
   bool is_mostly_assumed() const { return beyond_share > 0.5; }

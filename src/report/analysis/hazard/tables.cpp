@@ -110,7 +110,7 @@ Table hazard_table(const Results& results, std::optional<double> threshold_m) {
                 "part of the rate from histories that do not reach it at the highest level"},
                intensity_column(results, "half_intensity", "Half of it above",
                                 "half of the rate is of stronger shaking: median of its "
-                                "deaggregation; nan: an infinite rate"),
+                                "deaggregation; inf: above the levels; nan: an infinite rate"),
                detail({"fit_rate", "per_year", "Annual rate by the lognormal fit", ColumnKind::rate,
                        "annual rate by the lognormal fit; nan: no fit"})},
               {}};
@@ -128,7 +128,9 @@ Table hazard_table(const Results& results, std::optional<double> threshold_m) {
   table.notes = {
       "Beyond levels: the share of the rate from histories that do not reach the clearance at the "
       "highest level. Any shaking above that level counts as exceeding it. Above a half the rate "
-      "is an upper bound (<), without an interval."};
+      "is an upper bound (<), without an interval.",
+      "Half of it above: half of the annual rate is of shaking stronger than this (the median of "
+      "its deaggregation by intensity)."};
   return with_listed(results, table);
 }
 

@@ -97,8 +97,9 @@ struct Rates {
   }
 
   /// The median of the deaggregation by intensity: shaking above x contributes the mean over the
-  /// histories of rate(max(capacity, x)), which is half of the mean of their rates.
-  double half_intensity(std::vector<double> rates) const {
+  /// histories of rate(max(capacity, x)), which is half of the mean of their rates. Infinite above
+  /// the levels where a capacity is not known.
+  double half_intensity(std::vector<double> rates, bool all_are_known) const {
     std::ranges::sort(rates, std::greater());
     double of_rest = std::accumulate(rates.begin(), rates.end(), 0.0);
     if (std::isinf(of_rest)) return nan;
@@ -106,8 +107,8 @@ struct Rates {
     for (std::size_t reached = 1;; ++reached) {
       of_rest -= rates[reached - 1];
       const double above_x = (half - of_rest) / static_cast<double>(reached);
-      if (reached == rates.size() || above_x >= rates[reached])
-        return hazard.curve.intensity_at(above_x);
+      if (reached < rates.size() && above_x < rates[reached]) continue;
+      return all_are_known || above_x >= highest ? hazard.curve.intensity_at(above_x) : infinity;
     }
   }
 
@@ -134,7 +135,7 @@ struct Rates {
     row.fit_rate = fit.converged()                           ? annual_rate(hazard.curve, fit.curve)
                    : fit.status == FitStatus::always_exceeds ? infinity
                                                              : nan;
-    row.half_intensity = half_intensity(std::move(by_history));
+    row.half_intensity = half_intensity(std::move(by_history), beyond == 0.0);
     const double years = hazard.design_life_years;
     row.life_probability = {probability_in(years, row.annual_rate.value),
                             {probability_in(years, row.annual_rate.interval.low),
