@@ -209,7 +209,10 @@ Table building_table(const CalculationPackage& package) {
   if (p.of_roof) return std::move(rows).table();
   if (building.approximate_period_s)
     rows.add("T_a", fixed(*building.approximate_period_s, 3, "s"), building.period_basis);
-  rows.add("Periods computed", fmt::format("{:.3g} s", fmt::join(building.period_s, ", ")),
+  rows.add("Periods computed",
+           building.period_s.size() == 1
+               ? Cell(significant(building.period_s.front(), 3, "s"))
+               : Cell(fmt::format("{:.3g} s", fmt::join(building.period_s, ", "))),
            building.approximate_period_s ? building.bounds_text : building.period_basis);
   rows.add("Model",
            building.alpha.empty()
@@ -277,7 +280,7 @@ Table pull_tests_table(const ProjectFriction& friction) {
   if (friction.traces.empty())
     for (const DirectionFriction& d : friction.tested)
       for (std::size_t i = 0; i < d.sliding_mu.size(); ++i)
-        table.add({d.direction, fmt::format("{}", i + 1), fixed(d.sliding_mu[i], 3),
+        table.add({d.direction, fixed(static_cast<double>(i + 1), 0), fixed(d.sliding_mu[i], 3),
                    std::string("-"), std::string("-")});
   for (const DirectionFriction& d : friction.tested)
     table.notes.push_back(fmt::format("{}{}: mean {:.3f}, std {:.3f}, mean - 2 std {:.3f}.",

@@ -3,9 +3,11 @@
 
 #ifdef GLISSADE_WORKBOOK
 
+#include <fmt/format.h>
 #include <xlsxwriter.h>
 
 #include <cmath>
+#include <cstdlib>
 #include <map>
 #include <string>
 
@@ -20,8 +22,7 @@ double shown_value(const NumberCell& quantity) {
   const auto& [count, are_significant] = quantity.digits;
   if (count < 0) return quantity.value;
   if (are_significant) return rounded_to(quantity.value, count);
-  const double parts = std::pow(10.0, count);
-  return std::round(quantity.value * parts) / parts;
+  return std::strtod(fmt::format("{:.{}f}", quantity.value, count).c_str(), nullptr);
 }
 
 /// Of Excel: 0.0" in", "< "General.
