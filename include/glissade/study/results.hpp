@@ -70,8 +70,8 @@ struct SuiteSummary {
   SuiteSpectra spectra;
   bool of_roof = false;             ///< as that of Suite
   bool target_is_envelope = false;  ///< over several site classes
-  int intensity_level =
-      -1;  ///< of Walters et al. (2012), by the mapped values of the target; -1: none
+  /// Of Walters et al. (2012), if the target has its mapped values; else -1.
+  int intensity_level = -1;
 };
 
 /// A sentence before the results.

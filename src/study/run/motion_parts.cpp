@@ -17,6 +17,15 @@
 namespace glissade {
 namespace {
 
+/// Of which the target has the largest mapped values; -1: of none.
+int level_of(const DesignTarget& target) {
+  for (int level = 0; level <= 4; ++level) {
+    const WaltersLevel& most = walters_level(level);
+    if (target.ss_g == most.ss_g && target.s1_g == most.s1_g) return level;
+  }
+  return -1;
+}
+
 double integral_of_squares(std::span<const double> a) {
   return std::inner_product(a.begin(), a.end(), a.begin(), 0.0);
 }
@@ -205,7 +214,7 @@ SuiteSummary suite_of(const Plan& plan, std::size_t suite, const std::vector<dou
     summary.target = to_string(*design);
     if (design->is_mapped()) {
       summary.target_is_envelope = design->site_classes.size() > 1;
-      summary.intensity_level = intensity_level({design->ss_g, design->s1_g}).value_or(-1);
+      summary.intensity_level = level_of(*design);
     }
     const auto target = shown_target(plan, suite);
     for (const double period : spectra.periods_s) spectra.target_g.push_back(target(period));
