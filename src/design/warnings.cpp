@@ -152,7 +152,7 @@ std::vector<DesignWarning> warnings_on(const Project& project) {
   for (const ProjectGap& gap : project.gaps) available_m.emplace_back(gap.available_m);
   for (const auto& clearance_m : available_m)
     add(clearance_m && *clearance_m > largest_probable_clearance_m,
-        fmt::format("a clearance of {} is more than a roof has",
+        fmt::format("an available separation of {} is more than a roof has",
                     both_units(clearance_m.value_or(0.0), project.units)));
   add(project.round_up_m > most_rounding_m,
       fmt::format("displacements are rounded up to steps of {}",
@@ -160,7 +160,8 @@ std::vector<DesignWarning> warnings_on(const Project& project) {
   add(project.friction.std == 0.0,
       "the friction has no scatter (std 0): its design value is the mean");
   add_found(improbable_friction("a mean friction", project.friction.mean));
-  add_found(unmarked_numbers(project.unmarked_numbers));
+  const std::string unmarked = unmarked_numbers(project.unmarked_numbers);
+  add(!unmarked.empty(), unmarked, true);
   add_all(choices_of(project.friction));
   if (project.hazard) {
     add_found(improbable_hazard(project));
@@ -187,6 +188,8 @@ std::vector<std::string> reservations_on(const Project& project, const DesignCle
     found.push_back(required + ": state site.hazard_analysis");
   if (const PrescribedValue& value = of_standard(project, design); !value.may_be_used())
     found.push_back(conditions_text(value));
+  if (std::string unmarked = unmarked_numbers(project.unmarked_numbers); !unmarked.empty())
+    found.push_back(std::move(unmarked));
   for (const DesignCheck& check : design.checks)
     if (!check.is_met) found.push_back(not_met_text(check));
   return found;
@@ -204,7 +207,7 @@ std::vector<DesignWarning> warnings_on(const Project& project, const Results& de
   if (const auto lifted = records_with_uplift(demand, at_mce); !lifted.empty())
     add(fmt::format(
         "at the MCE the array lifts off under {} of {} records ({}): the probability of exceedance "
-        "at the MCE is outside the model; the required clearance is of the DBE",
+        "at the MCE is outside the model; the required displacement is that of the DBE",
         lifted.size(), demand.records.size(), fmt::join(lifted, ", ")));
   for (const StudiedFriction& mu : frictions_of(project)) {
     if (mu.what != bound_name(project.friction)) continue;

@@ -19,6 +19,10 @@ TEST_F(ProjectChecks, plain_numbers_in_us_units_are_a_warning) {
   for (const std::string& text :
        {clearance + "\"4 ft\"\n", changed("[site]", "units = \"si\"\n[site]", clearance + "4\n")})
     EXPECT_THAT(warnings_of(text), Not(Contains(states("clearances.open_edge_m")))) << text;
+  // 4 m in place of 4 ft may make a separation sufficient: it is an open item too.
+  const Project project = read(clearance + "4\n");
+  const DesignClearance design{.prescribed = prescribed_values(project, site_values(project.site))};
+  EXPECT_THAT(reservations_on(project, design), Contains(states("clearances.open_edge_m = 4")));
 }
 
 TEST_F(ProjectChecks, bounds_without_the_period_between_them_are_a_warning) {
