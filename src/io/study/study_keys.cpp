@@ -7,7 +7,6 @@
 #include <limits>
 
 #include "analysis/in_files.hpp"
-#include "glissade/study/analysis/sampling_error.hpp"
 #include "keys/quantity_table.hpp"
 
 namespace glissade {
@@ -266,7 +265,8 @@ std::vector<StudyTable> tables_of_cases() {
          "number",
          "none: all scrambles are run",
          "the run ends when half of the 95 % interval of every median, of the samples alone, is "
-         "at most this share of the median (0.01 is 1 %); checked after each scramble",
+         "at most this share of the median (0.01 is 1 %); checked after each scramble from "
+         "least_scrambles on",
          {needs_draws,
           {"a study without [sensitivity]", [](auto&, auto& s) { return !s.sensitivity; }},
           {"sampling.scrambles of 8 or more",
@@ -276,10 +276,9 @@ std::vector<StudyTable> tables_of_cases() {
          reads<sampling, &SamplingConfig::scrambles_to_target>(least_scrambles, 1024),
          "scrambles that are run before target_error can end the run: the error of few is more "
          "often too small by chance",
-         {{"sampling.target_error and as many scrambles",
-           [](auto&, auto& s) {
-             return s.sampling.target && s.sampling.scrambles >= s.sampling.scrambles_to_target;
-           }}}},
+         {{"sampling.target_error", [](auto&, auto& s) { return s.sampling.target.has_value(); }},
+          {"sampling.scrambles of as many or more",
+           [](auto&, auto& s) { return s.sampling.scrambles >= s.sampling.scrambles_to_target; }}}},
         {"bootstrap_replicates",
          reads<sampling, &SamplingConfig::bootstrap_replicates>(100, 1000000),
          "resamples of whole records for the intervals"}}}};

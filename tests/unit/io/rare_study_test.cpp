@@ -49,7 +49,7 @@ TEST_F(RareStudy, a_target_error_ends_scrambles_of_a_fragility) {
       12u);
   refuses({{with(least + "8\ntarget_error = 0.01\n" + fragility_part),
             "study.toml:12",
-            {"sampling.least_scrambles", "as many scrambles"}},
+            {"sampling.least_scrambles", "as many or more"}},
            {with(least + "16\n" + fragility_part),
             "study.toml:12",
             {"sampling.least_scrambles", "sampling.target_error"}}});
