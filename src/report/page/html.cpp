@@ -16,22 +16,23 @@
 namespace glissade {
 namespace {
 
-/// The first sentences of the first analysis and the first one of each other; the rest follows the
-/// figures.
+/// What the analyses say in sentences.
 struct Answers {
-  std::vector<std::string> first, rest;
+  std::vector<std::string> first;  ///< of the first analysis some, of each other one: above all
+  std::vector<std::vector<std::string>> rest;  ///< of each analysis, in its section
 };
 
 Answers answers_of(const Results& results) {
   constexpr std::size_t most = 6, of_first = 4;
   Answers answers;
   for (const AnalysisReport& analysis : analyses_in(results)) {
+    std::vector<std::string>& rest = answers.rest.emplace_back();
     if (analysis.sentences == nullptr) continue;
     const std::size_t here = answers.first.empty() ? of_first : 1;
     std::size_t taken = 0;
     for (std::string& sentence : analysis.sentences(results)) {
       const bool is_first = taken++ < here && answers.first.size() < most;
-      (is_first ? answers.first : answers.rest).push_back(std::move(sentence));
+      (is_first ? answers.first : rest).push_back(std::move(sentence));
     }
   }
   return answers;
@@ -41,13 +42,13 @@ Html answer_html(const Answers& answers) {
   return "<div class=\"answer\">\n" + list(answers.first) + "</div>\n";
 }
 
-Html rest_html(const Answers& answers) {
-  return answers.rest.empty() ? Html() : heading("Results in words") + list(answers.rest);
-}
-
-Html analyses_html(const Results& results) {
+Html analyses_html(const Results& results, const Answers& answers) {
   Html html;
-  for (const AnalysisReport& analysis : analyses_in(results)) html += analysis.section(results);
+  std::size_t i = 0;
+  for (const AnalysisReport& analysis : analyses_in(results)) {
+    html += analysis.section(results);
+    if (const auto& sentences = answers.rest[i++]; !sentences.empty()) html += list(sentences);
+  }
   return html;
 }
 
@@ -121,8 +122,8 @@ std::string html_report(const Results& results, const std::vector<DrawnFigure>& 
       page_head({results.study_name, "sliding of an unanchored solar array"}) +
       (results.study_description.empty() ? Html() : paragraph(results.study_description)) +
       answer_html(answers) + warnings_html(results) + paragraph(what_was_run(results)) +
-      figures_html(figures) + rest_html(answers) + analyses_html(results) +
-      assumptions_html(results) + skips_and_notes_html(results, skips) + inputs_html(results) +
+      figures_html(figures) + analyses_html(results, answers) + assumptions_html(results) +
+      skips_and_notes_html(results, skips) + inputs_html(results) +
       paragraph(fmt::format(
           "Made by glissade {}; plan {}, seed {}. The same study, suite and seed give the same "
           "numbers. Tables with all digits are in tables/, figures as PDF and SVG in figures/.",
