@@ -35,9 +35,9 @@ enum class EventSearch {
 
 /// slide() over tables: a phase begins and ends where V crosses a straight line, so the run time of
 /// a history depends on its events, not on its samples. Exact on a rigid roof, to 1e-10 relative to
-/// the peak against 50 digits (tests/unit/block); on an oscillator to 1e-6 of slips above 1 mm, and to
-/// 1e-9 m below (the quintic V between nodes). Where uplift is possible (outside the model), the roof motion of an oscillator is taken
-/// linear over 64ths of an interval.
+/// the peak against 50 digits (tests/unit/block); on an oscillator to 1e-6 of slips above 1 mm, and
+/// to 1e-9 m below (the quintic V between nodes). Where uplift is possible (outside the model), the
+/// roof motion of an oscillator is taken linear over 64ths of an interval.
 ///
 /// theory.md, 1.3: with speed v in the direction of sliding, drives linear in (a, w), and the
 /// phase at node r with speed v_r,

@@ -21,7 +21,7 @@ namespace glissade {
 struct RunIdentity {
   std::string program_version, plan_hash;
   std::string mathematics;  ///< core/mathematics.hpp
-  std::string layout;  ///< unit_layout() of the plan
+  std::string layout;       ///< unit_layout() of the plan
   std::filesystem::path study_file;
   std::string study_text;
   std::string motions_text;  ///< of the plan; rank 0 only

@@ -12,7 +12,7 @@ namespace glissade {
 /// Of Walters et al. (2012), who scale from 0 to here.
 inline constexpr double longest_scaled_period_s = 2.0;
 /// To where a suite is judged for buildings of up to this period (1.5 times it: ASCE 7-16, 16.2,
-/// recalled), if that is beyond.
+/// recalled), where that is beyond longest_scaled_period_s.
 constexpr double judged_to_s(double longest_period_s) { return 1.5 * longest_period_s; }
 /// Of a suite that is scaled to 1.5 times a building period.
 inline constexpr double longest_possible_scaled_s = 30.0;

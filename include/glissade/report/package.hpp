@@ -35,9 +35,10 @@ std::vector<std::string> warnings_of(const CalculationPackage& package);
 /// Within 80 columns, in plain ASCII.
 std::string package_screen(const CalculationPackage& package);
 
-/// Writes out_dir/package.html, and package.xlsx, with figures and tables beside it, in the place of an earlier one
-/// (report_files.hpp), and prints it to package.pdf: false where WeasyPrint is not installed or
-/// does not succeed. Throws InputError where a file cannot be written or gnuplot does not succeed.
+/// Writes out_dir/package.html, and package.xlsx, with figures and tables beside it, in the place
+/// of an earlier one (report_files.hpp), and prints it to package.pdf: false where WeasyPrint is
+/// not installed or does not succeed. Throws InputError where a file cannot be written or gnuplot
+/// does not succeed.
 bool write_package(const CalculationPackage& package, const std::filesystem::path& out_dir,
                    bool overwrite);
 

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
+#include <cmath>
+
 #include "block/full_model/building_axis.hpp"
 #include "block/full_model/chord_deviation.hpp"
 

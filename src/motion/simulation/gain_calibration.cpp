@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "glissade/core/contract.hpp"
 #include "glissade/core/quantile.hpp"
 #include "glissade/core/units.hpp"
 #include "glissade/motion/response_spectrum.hpp"
@@ -41,6 +42,7 @@ std::vector<double> horizontal_rotd50_mps2(const RawMotion& motion,
   constexpr std::size_t orientations = 6;
   const auto& [first, second, vertical] = motion.acceleration_mps2;
   std::array<std::vector<double>, orientations> spectra;
+  GLISSADE_EXPECTS(first.size() == second.size());
   std::vector<double> rotated(first.size());
   for (std::size_t k = 0; k < orientations; ++k) {
     const double angle = std::numbers::pi * static_cast<double>(k) / orientations;

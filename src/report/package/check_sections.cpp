@@ -2,6 +2,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <filesystem>
+#include <variant>
 
 #include "package/print/print_head.hpp"
 #include "package/sections.hpp"

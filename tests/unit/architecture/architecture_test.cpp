@@ -168,7 +168,8 @@ TEST(architecture, no_two_classes_have_one_name) {
   EXPECT_GT(file_of.size(), 300u);
 }
 
-// Names in files must not act on the terminal: cli/shared/put.hpp makes all that is written printable.
+// Names in files must not act on the terminal: cli/shared/put.hpp makes all that is written
+// printable.
 TEST(architecture, standard_output_is_written_in_one_place) {
   const std::regex print(R"re(fmt::print\(|std::cout|\bputs\(|write_result\()re");
   int found = 0;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
+#include <fstream>
 
 #include "glissade/core/file.hpp"
 #include "glissade/io/sha256.hpp"

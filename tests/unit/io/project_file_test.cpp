@@ -164,6 +164,7 @@ TEST_F(ProjectFile, of_site_class_f_requires_a_site_response_analysis) {
   };
   refused("\"F\"", one_problem("p.toml:7", "20.3.1"));
   refused("\"G\"", one_problem("p.toml:7", "A, B, C, D, E"));
+  refused("\"Z\"", testing::SizeIs(1));
   refused("\"G\"", Not(one_problem("p.toml:7", "did you mean")));
   refused("\"d\"", one_problem("p.toml:7", "did you mean \"D\"?"));
 }

@@ -193,7 +193,7 @@ std::string table_of_samples(const fs::path& samples) {
   return table;
 }
 
-TEST_F(RecordedImport, the_table_of_folder_is_what_is_read) {
+TEST_F(RecordedImport, the_table_of_samples_is_what_is_read) {
   const fs::path committed = GLISSADE_SOURCE_DIR "/tests/unit/io/recorded_samples.csv";
   const std::string table = table_of_samples(folder_ / "formats");
   std::ifstream in(committed);

@@ -205,7 +205,6 @@ TEST_F(SuiteImporter, ids_are_unique) {
 }
 
 // The made-up samples of the fuzz corpus, one of each format.
-
 TEST(RecordHeaders, state_event_station_direction_magnitude_and_unit) {
   struct Expected {
     const char *file, *event, *station, *direction, *unit;

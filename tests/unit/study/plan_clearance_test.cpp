@@ -165,7 +165,7 @@ TEST(plan, refuses_a_clearance_of_copies_of_a_record) {
   EXPECT_THAT(refusal_of(config, suite), states("motion0", "again"));
 }
 
-TEST(plan, refuses_a_chart_clearance_alike) {
+TEST(plan, refuses_a_chart_alike) {
   StudyConfig config = small_config();
   config.intensity.measure = IntensityMeasure::mce_fraction;
   config.intensity.levels = {1.0};

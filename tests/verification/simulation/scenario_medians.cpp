@@ -35,9 +35,8 @@ LogRatios median_ratios(const SyntheticRecipe& recipe, const Scenario& scenario,
   const std::vector<double> target = target_horizontal_mps2(scenario, periods_s);
   LogRatios ratios{};
   for (std::uint64_t k = 0; k < simulations; ++k) {
-    const RawMotion motion =
-        shape_motion(simulate_raw_motion(scenario, {recipe.seed, first + k}, recipe.dt_s),
-                     gain_of(recipe));
+    const RawMotion motion = shape_motion(
+        simulate_raw_motion(scenario, {recipe.seed, first + k}, recipe.dt_s), gain_of(recipe));
     const std::vector<double> spectrum = horizontal_rotd50_mps2(motion, periods_s);
     for (std::size_t p = 0; p < periods_s.size(); ++p)
       ratios[p] += std::log(spectrum[p] / target[p]) / simulations;

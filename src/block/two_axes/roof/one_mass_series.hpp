@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
+
 #include "block/polynomial/power_series.hpp"
 
 namespace glissade::block_detail::two_axes {
