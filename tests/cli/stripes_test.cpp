@@ -16,7 +16,7 @@ class Stripes : public testing::Test {
 
 TEST_F(Stripes, are_run_reported_and_reported_again_from_their_results) {
   const std::string out = folder_.path("out").string(), again = folder_.path("again").string();
-  succeeding({"run", study(stripes_study()), "--out", out});
+  const Finished child = succeeding({"run", study(stripes_study()), "--out", out});
   EXPECT_THAT(child.out, states("14 records x 8 samples x 1 of 2 levels", "scatter less",
                                 "suite.stripes", "0 in search of"));
   const std::string fits = read_file(out + "/tables/fragility.csv");
@@ -40,7 +40,7 @@ TEST_F(Stripes, in_parts_give_the_bits_of_the_whole) {
   std::vector<std::string> merge{"merge"};
   for (const char* part : {"1/2", "2/2"}) {
     merge.push_back(folder_.path(std::string("part") + part[0]).string());
-    const Finished child = succeeding({"run", text, "--out", merge.back(), "--part", part});
+    succeeding({"run", text, "--out", merge.back(), "--part", part});
   }
   merge.insert(merge.end(), {"--out", merged});
   succeeding(merge);
