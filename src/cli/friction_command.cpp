@@ -73,8 +73,9 @@ void print(const PullTestSummary& summary) {
 }
 
 void run(const FrictionOptions& o) {
-  with_problems([](Problem& p) { p.where = p.where == "slip_m" ? "--slip-m" : "--sliding-from-m"; },
-                [&] { validate(o.rule); });
+  with_changed_problems(
+      [](Problem& p) { p.where = p.where == "slip_m" ? "--slip-m" : "--sliding-from-m"; },
+      [&] { validate(o.rule); });
   if (!o.out.empty()) check_output_folder(o.out, o.overwrite);
   const auto [tests, summary] = read_pull_test_results(o.tests, o.rule);
   if (!o.out.empty()) {

@@ -148,13 +148,13 @@ std::optional<DesignTarget> write_checked(const InitOptions& o, const ExampleFil
   std::optional<DesignTarget> target;
   write_file(o.file, [&](OutputFile& file, const fs::path& partial) {
     file.write((o.is_project() ? "" : study_head) + example.text());
-    with_problems([](Problem& problem) { problem.where = option_of(problem.what); },
-                  [&] {
-                    if (o.is_project())
-                      static_cast<void>(read_project(partial));
-                    else
-                      target = target_of(read_study(partial));
-                  });
+    with_changed_problems([](Problem& problem) { problem.where = option_of(problem.what); },
+                          [&] {
+                            if (o.is_project())
+                              static_cast<void>(read_project(partial));
+                            else
+                              target = target_of(read_study(partial));
+                          });
   });
   return target;
 }

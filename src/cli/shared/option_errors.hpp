@@ -10,7 +10,7 @@ namespace glissade::cli {
 
 /// What `read` gives; its problems are changed.
 template <class Read, class Change>
-auto with_problems(const Change& change, const Read& read) {
+auto with_changed_problems(const Change& change, const Read& read) {
   try {
     return read();
   } catch (const InputError& error) {
@@ -23,7 +23,7 @@ auto with_problems(const Change& change, const Read& read) {
 /// What `read` makes of the value of an option.
 template <class Read>
 auto of_option(const char* option, const Read& read) {
-  return with_problems([=](Problem& problem) { problem.where = option; }, read);
+  return with_changed_problems([=](Problem& problem) { problem.where = option; }, read);
 }
 
 }  // namespace glissade::cli

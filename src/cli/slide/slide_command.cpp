@@ -42,7 +42,7 @@ std::string with_options(std::string text) {
 Record read_component(const std::string& name, RecordFileOptions options) {
   const ComponentAddress address = split_address(name);
   options.component = address.component;
-  return with_problems(
+  return with_changed_problems(
       [](Problem& p) {
         p.what = with_options(p.what);
         p.suggestion = with_options(p.suggestion);

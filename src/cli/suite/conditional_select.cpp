@@ -146,7 +146,7 @@ void select_to_conditional(const ConditionalRequest& request) {
   check_output_file(request.out, "--out", request.overwrite);
   if (!request.figures.empty()) check_output_folder(request.figures, request.overwrite);
   const Suite library = load_library(request.library);
-  const ConditionalSelection selection = with_problems(by_option, [&] {
+  const ConditionalSelection selection = with_changed_problems(by_option, [&] {
     return select_conditional(library, target, request.criteria, request.seed);
   });
   const ConditionalOutcome outcome{request, library, target, selection};

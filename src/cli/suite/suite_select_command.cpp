@@ -132,7 +132,7 @@ Task task_of(const SelectOptions& o) {
 
 RecordSelection select(const Suite& library, const Task& task) {
   const TargetSpectrum target(task.target);
-  return with_problems(by_option, [&] {
+  return with_changed_problems(by_option, [&] {
     return select_records(
         library, [&](double period_s) { return target.mce_sa_g(period_s); }, walters_periods_s(),
         task.criteria);

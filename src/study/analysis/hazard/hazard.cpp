@@ -96,9 +96,10 @@ struct Rates {
     return {mean_of(by_record, std::vector<double>(records(), 1.0)), interval(by_record)};
   }
 
-  /// The median of the deaggregation by intensity: shaking above x contributes the mean over the
-  /// histories of rate(max(capacity, x)), which is half of the mean of their rates. Infinite above
-  /// the levels where a capacity is not known.
+  /// The median of the deaggregation by intensity: the x above which half of the annual rate
+  /// arises. Shaking above x contributes the mean over the histories of rate(max(capacity, x)).
+  /// Infinite above the levels where a capacity is not known.
+  /// @param rates of the histories' capacities
   double half_intensity(std::vector<double> rates, bool all_are_known) const {
     std::ranges::sort(rates, std::greater());
     double of_rest = std::accumulate(rates.begin(), rates.end(), 0.0);
