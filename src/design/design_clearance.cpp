@@ -181,6 +181,24 @@ double required_m(const Project& project, const Results& demand, double friction
   return required_m(demand, governing_mean(project, demand, friction));
 }
 
+SeparationVerdict verdict_on(const ProjectSeparation& separation, const Project& project,
+                             const DesignClearance& design) {
+  using enum SeparationVerdict;
+  if (!separation.available_m) return not_stated;
+  if (*separation.available_m < separation.required.value_m) return insufficient;
+  if (!of_standard(project, design).violated().empty()) return not_applicable;
+  return std::ranges::any_of(design.warnings, &DesignWarning::is_open_item) ? open : sufficient;
+}
+
+SeparationVerdict verdict_on(const Project& project, const DesignClearance& design) {
+  SeparationVerdict worst = of_standard(project, design).violated().empty()
+                                ? SeparationVerdict::not_stated
+                                : SeparationVerdict::not_applicable;
+  for (const ProjectSeparation& s : design.separations)
+    worst = std::min(worst, verdict_on(s, project, design));
+  return worst;
+}
+
 double rounded_up(double value, double step) {
   GLISSADE_EXPECTS(step > 0.0);
   return step * std::ceil(value / step - 1e-9) + 0.0;  // no -0
@@ -372,11 +390,13 @@ void add_exceedance(const Project& project, const Results& probability, DesignCl
                          both_units(design.accepted.displacement_m, project.units)),
        fmt::format("{:g} % or less (a limit of this program)", 100.0 * accepted_exceedance),
        is_rare});
-  if (!is_rare)
+  if (!is_rare) {
+    design.warnings.push_back({not_met_text(design.checks.back()), true});
     design.warnings.push_back(
         {fmt::format("the governing displacement is exceeded with a probability of {:.3g} % at the "
                      "DBE and {:.3g} % at the MCE",
                      100.0 * at_dbe.probability, 100.0 * design.compared.front().mce.probability)});
+  }
   for (const auto& [text, of_fitted_curves] : probability.warnings) {
     if (of_fitted_curves) continue;  // none is used
     if (std::ranges::find(design.warnings, text, &DesignWarning::text) == design.warnings.end())

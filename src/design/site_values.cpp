@@ -48,6 +48,7 @@ std::string PrescribedValue::violated() const {
 ArrayFacts facts_of(const Project& project, const SiteValues& site) {
   return {.slope_deg = project.slope_deg.back(),
           .friction = project.friction.design(),
+          .friction_basis = "mean - 2 std",
           .test_standard = project.friction.test_standard,
           .risk = project.site.risk,
           .storeys = project.building.storeys,

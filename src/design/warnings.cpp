@@ -105,18 +105,17 @@ std::string both_units(double length_m, UnitSystem units) {
   return units == UnitSystem::si ? si + " (" + us + ")" : us + " (" + si + ")";
 }
 
-namespace {
-
 std::vector<DesignWarning> warnings_on(const Project& project) {
   std::vector<DesignWarning> warnings;
-  const auto add = [&](bool met, const std::string& text, bool is_reservation = false) {
-    if (met) warnings.push_back({text, is_reservation});
+  const auto add = [&](bool met, const std::string& text, bool is_open_item = false) {
+    if (met) warnings.push_back({text, is_open_item});
   };
   const auto add_all = [&](const std::vector<std::string>& texts) {
     for (const std::string& text : texts) warnings.push_back({text});
   };
   const bool site_7_16 = project.site.target.edition == AsceEdition::asce7_16;
   const bool by_7_16 = project.standard == Standard::asce7_16;
+  add(project.simulated_motions, simulated_motions_warning, true);
   add(project.peer_reviewed,
       "standards.peer_reviewed = true: the least value of the standard is not applied");
   add(site_7_16 != by_7_16,
@@ -134,6 +133,9 @@ std::vector<DesignWarning> warnings_on(const Project& project) {
       "requires a ground motion hazard analysis is not checked");
   const std::string unchecked = unchecked_spectrum(project.site);
   add(!unchecked.empty(), unchecked, project.site.target.edition != AsceEdition::asce7_22);
+  const std::string analysis = hazard_analysis_required(project.site.target);
+  add(!analysis.empty() && project.site.target.hazard_analysis.empty(),
+      analysis + ": state site.hazard_analysis", true);
   add(!project.of_roof && !project.site.states_tl && project.site.target.period_s.empty(),
       fmt::format("site.tl_s is not stated: T_L = {:g} s is assumed", project.site.target.tl_s));
   add(project.friction.mean < 2.0 * project.friction.std,
@@ -170,29 +172,6 @@ std::vector<DesignWarning> warnings_on(const Project& project) {
   }
   add_found(improbable_slope(project.slope_deg.front()));
   return warnings;
-}
-
-}  // namespace
-
-std::vector<std::string> choices_of(const Project& project) {
-  return texts_of(warnings_on(project));
-}
-
-std::vector<std::string> reservations_on(const Project& project, const DesignClearance& design) {
-  std::vector<std::string> found;
-  if (std::string unchecked = unchecked_spectrum(project.site);
-      !unchecked.empty() && project.site.target.edition != AsceEdition::asce7_22)
-    found.push_back(std::move(unchecked));
-  if (std::string required = hazard_analysis_required(project.site.target);
-      !required.empty() && project.site.target.hazard_analysis.empty())
-    found.push_back(required + ": state site.hazard_analysis");
-  if (const PrescribedValue& value = of_standard(project, design); !value.may_be_used())
-    found.push_back(conditions_text(value));
-  if (std::string unmarked = unmarked_numbers(project.unmarked_numbers); !unmarked.empty())
-    found.push_back(std::move(unmarked));
-  for (const DesignCheck& check : design.checks)
-    if (!check.is_met) found.push_back(not_met_text(check));
-  return found;
 }
 
 std::vector<DesignWarning> warnings_on(const Project& project, const Results& demand,

@@ -53,12 +53,13 @@ CodeCondition centre_of_mass(const ArrayFacts& array) {
 /// Where no tests are named, of the value alone.
 CodeCondition tested_friction(double limit, const ArrayFacts& array) {
   constexpr const char* required = "ASTM G115";
+  const std::string basis = array.friction_basis.empty() ? "" : " (" + array.friction_basis + ")";
   const std::string by = !array.test_standard           ? ""
                          : array.test_standard->empty() ? ", standard of the tests not stated"
                                                         : ", tests by " + *array.test_standard;
   CodeCondition condition = row(
       "coefficient of friction", fmt::format("{:g} or more (tests by {})", limit, required),
-      array.friction, [&](double mu) { return number(mu) + by; },
+      array.friction, [&](double mu) { return number(mu) + basis + by; },
       [&](double mu) { return mu >= limit * (1.0 - rounding); });
   if (condition.is_met != true || !array.test_standard) return condition;
   if (array.test_standard->empty())

@@ -115,8 +115,12 @@ std::vector<RoofPeak> roof_peaks(const Project& project, const Results& demand, 
 /// What is possible and not probable, or to be decided by the engineer: shown before the result.
 struct DesignWarning {
   std::string text;
-  bool is_reservation = false;  ///< one of reservations_on()
+  bool is_open_item = false;  ///< no separation is called sufficient before it is settled
 };
+
+/// Whether an available separation is enough; of several the first of these that one of them has,
+/// but not_applicable also where none is stated.
+enum class SeparationVerdict { insufficient, not_applicable, open, sufficient, not_stated };
 
 struct DesignClearance {
   SiteValues site;
@@ -154,13 +158,14 @@ DesignClearance design_clearance(const Project& project, const Results& demand, 
 /// The prescriptive value of the project's standard.
 const PrescribedValue& of_standard(const Project& project, const DesignClearance& design);
 
-/// Why a clearance that is large enough may still not be accepted: conditions of the standard and
-/// checks that are not met.
-std::vector<std::string> reservations_on(const Project& project, const DesignClearance& design);
+SeparationVerdict verdict_on(const ProjectSeparation& separation, const Project& project,
+                             const DesignClearance& design);
+/// On all of them.
+SeparationVerdict verdict_on(const Project& project, const DesignClearance& design);
 
-/// What the project states that makes the result smaller, or that is improbable: warnings that need
-/// no analysis.
-std::vector<std::string> choices_of(const Project& project);
+/// What the project states that makes the result smaller, that is improbable, or that leaves an
+/// item open: warnings that need no analysis.
+std::vector<DesignWarning> warnings_on(const Project& project);
 
 inline constexpr const char* simulated_motions_warning =
     "the motions of this suite are simulated and do not serve for a permit: repeat the calculation "

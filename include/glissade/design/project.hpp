@@ -113,7 +113,8 @@ struct Project {
   /// The motions of the suite are those of the roof: no building is computed, and its period and
   /// mass ratio are 0.
   bool of_roof = false;
-  double roof_factor = 1.0;  ///< on the motions of a roof, at the design earthquake
+  bool simulated_motions = false;  ///< the suite has no records
+  double roof_factor = 1.0;        ///< on the motions of a roof, at the design earthquake
   ScalingRule scaling_rule = ScalingRule::walters_2012;
   bool without_target = false;  ///< also one that falls short at periods above 2 s
   std::uint64_t samples = 128, seed = 1;

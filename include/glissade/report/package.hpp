@@ -24,13 +24,17 @@ struct CalculationPackage {
   const DesignClearance& design;
   const Results& demand;
   const Results& probability;
-  std::vector<ComponentFile> files;  ///< empty: the motions of the suite are simulated
+  std::vector<ComponentFile> files;  ///< none of simulated motions
   std::string project_sha256, suite_sha256;
   std::string build;  ///< commit and compiler
 };
 
-/// Those of the calculation, and that simulated motions do not serve for a permit.
-std::vector<std::string> warnings_of(const CalculationPackage& package);
+/// Open items among them.
+std::vector<std::string> warnings_of(const DesignClearance& design);
+
+/// Of all available separations, and of one: "sufficient", "not sufficient", "not applicable",
+/// "open", "not stated".
+const char* to_string(SeparationVerdict verdict);
 
 /// Within 80 columns, in plain ASCII.
 std::string package_screen(const CalculationPackage& package);

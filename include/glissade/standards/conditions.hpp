@@ -19,6 +19,7 @@ double friction_limit(Standard standard);   ///< this or more
 /// Of an array and the building below it; none: not known.
 struct ArrayFacts {
   std::optional<double> slope_deg, friction;
+  std::string friction_basis = {};           ///< "mean - 2 std"; empty: none to state
   std::optional<std::string> test_standard;  ///< of the tests of friction
   std::optional<RiskCategory> risk;
   std::optional<double> storeys;

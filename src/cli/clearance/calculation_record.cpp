@@ -42,9 +42,10 @@ void write_end(const CalculationIdentity& identity, const CalculationJson& progr
   write_text_file(folder / "run.json", json_text(json));
 }
 
-void add_results(CalculationJson& json, const DesignClearance& design) {
+void add_results(CalculationJson& json, const Project& project, const DesignClearance& design) {
   json["governing_m"] = design.governing_m;
   json["rounded_m"] = design.rounded_m;
+  json["verdict"] = to_string(verdict_on(project, design));
   for (const ProjectSeparation& s : design.separations)
     json["separations"].push_back(
         {{"between", s.text()},
@@ -53,7 +54,8 @@ void add_results(CalculationJson& json, const DesignClearance& design) {
          {"required_m", s.required.value_m},
          {"available_m", s.available_m ? CalculationJson(*s.available_m) : CalculationJson()},
          {"is_sufficient", s.available_m ? CalculationJson(*s.available_m >= s.required.value_m)
-                                         : CalculationJson()}});
+                                         : CalculationJson()},
+         {"verdict", to_string(verdict_on(s, project, design))}});
 }
 
 CalculationJson json_of(const ExceedanceAt& e, bool of_roof) {
@@ -97,7 +99,7 @@ std::string numbers_json(const CalculationPackage& package) {
     json.update({{"mass_ratio", design.mass_ratio}, {"period_s", design.period_s}});
   if (!package.project.building.alpha.empty()) json["alpha"] = design.alpha;
   json.update({{"analysis_m", design.analysis_m}, {"least_value_m", design.floor_m}});
-  add_results(json, design);
+  add_results(json, package.project, design);
   for (const PrescribedValue& value : design.prescribed)
     json["prescribed"].push_back(prescribed_json(value));
   for (const PeriodDemand& d : design.demand) {
@@ -134,7 +136,7 @@ std::string numbers_json(const CalculationPackage& package) {
   for (const DesignCheck& check : design.checks)
     json["checks"].push_back(
         {{"check", check.what}, {"found", check.found}, {"is_met", check.is_met}});
-  json["warnings"] = warnings_of(package);
+  json["warnings"] = warnings_of(design);
   return json_text(json);
 }
 
@@ -187,8 +189,8 @@ void write_finished_calculation(const CalculationIdentity& identity,
   write_text_file(folder / "package.json", numbers_json(package));
   CalculationJson results;
   results["studies"] = {"demand/run.json", "probability/run.json"};
-  add_results(results, package.design);
-  results["warnings"] = warnings_of(package);
+  add_results(results, package.project, package.design);
+  results["warnings"] = warnings_of(package.design);
   write_end(identity,
             {{"program_version", package.demand.program_version}, {"build", package.build}}, ranks,
             results, folder);

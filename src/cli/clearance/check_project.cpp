@@ -144,12 +144,11 @@ void check_one(const Project& project) {
                         compared_displacements_m(project, prescribed.front().prescribed.value_m)),
       suite);
 
-  std::vector<std::string> warnings = choices_of(project);
+  std::vector<std::string> warnings = texts_of(warnings_on(project));
   for (const Plan* plan : {&demand, &probability}) {
     for (const std::string& warning : plan->warnings)
       if (std::ranges::find(warnings, warning) == warnings.end()) warnings.push_back(warning);
   }
-  if (record_files(project.suite).empty()) warnings.emplace_back(simulated_motions_warning);
   for (const DesignCheck& check : checks_before_analysis(project, suite.motions.size()))
     if (!check.is_met) warnings.push_back(not_met_text(check));
   put("{:<12}{}\n", "project", wrapped(project.title.name, terminal_width, 12));

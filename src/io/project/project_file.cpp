@@ -316,6 +316,7 @@ void read_suite(const TomlTable& suite, Project& project) {
     suite.report("file", "there is no suite " + project.suite.string(),
                  "give the path of a suite file, relative to the project file (suites/README.md)");
   project.of_roof = is_there && has_roof_motions(project.suite);
+  project.simulated_motions = is_there && record_files(project.suite).empty();
   if (is_there && !project.of_roof && suite.has("factor"))
     suite.report("factor", "suite.factor is on motions of a roof, and the suite is of the ground",
                  "leave it out: the site gives the factor on ground motions");

@@ -120,7 +120,7 @@ Html inputs_html(const CalculationPackage& package) {
                   "and version give the same numbers.",
                   package.demand.program_version, package.build, package.demand.plan_hash,
                   package.probability.plan_hash, package.project_sha256, package.suite_sha256));
-  if (!package.files.empty()) html += files_html(files_table(package));
+  if (!package.project.simulated_motions) html += files_html(files_table(package));
   return html + "<h3>Project file, without its comments</h3>\n" +
          study_file(without_comments(package.project.source_text));
 }

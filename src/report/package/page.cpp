@@ -32,28 +32,13 @@ Html answer_html(const CalculationPackage& package) {
   const DesignClearance& design = package.design;
   Table separations = separations_table(package);
   separations.notes.clear();
-  const std::vector<std::string> open = open_items(package);
+  const std::vector<std::string> open = open_items(package.design);
   return "<div class=\"answer\">\n<strong>Result</strong>\n" +
-         list({fmt::format("Governing displacement: {}, by {}.", length_in_both(design.governing_m),
-                           governed_by(package)),
+         list({fmt::format("Governing displacement: {}, by {}.",
+                           length_in_both(design.governing_m, 1), governed_by(package)),
                verdict_sentence(package)}) +
          wide_table(separations) +
          (open.empty() ? Html() : "<strong>Open items</strong>\n" + list(open)) + "</div>\n";
-}
-
-/// Of all available separations that are stated.
-std::string short_verdict(const CalculationPackage& package) {
-  const std::string where_wide = verdict_where_wide_enough(package);
-  const std::vector<ProjectSeparation>& all = package.design.separations;
-  if (where_wide == "not applicable") return where_wide;
-  if (std::ranges::any_of(all, [](const ProjectSeparation& s) {
-        return s.available_m && *s.available_m < s.required.value_m;
-      }))
-    return "not sufficient";
-  return std::ranges::any_of(all,
-                             [](const ProjectSeparation& s) { return s.available_m.has_value(); })
-             ? where_wide
-             : "not stated";
 }
 
 Html scope_html(const CalculationPackage& package) {
@@ -136,8 +121,8 @@ SiteSheet site_sheet(const CalculationPackage& package, const std::string& folde
                   .sd1_g = package.design.site.sd1_g,
                   .friction = project.friction.design(),
                   .governing_m = package.design.governing_m,
-                  .is_simulated = package.files.empty(),
-                  .verdict = short_verdict(package)};
+                  .is_simulated = project.simulated_motions,
+                  .verdict = to_string(verdict_on(project, package.design))};
   const DesignTarget& target = project.site.mapped ? *project.site.mapped : project.site.target;
   if (target.s1_g > 0.0) sheet.s1_g = target.s1_g;
   for (const ProjectSeparation& s : package.design.separations)
@@ -155,7 +140,7 @@ SiteSheet site_sheet(const CalculationPackage& package, const std::string& folde
                           : "period " + range_text(building.period_s, " s") +
                                 (building.alpha.empty() ? ", one mass" : ", modes"),
           range_text(project.slope_deg, " degrees"), project.friction.mean, project.friction.std)) +
-      warnings_box(shown_warnings(package)) +
+      warnings_box(other_warnings(package.design)) +
       paragraph("The whole calculation: " + folder + "/package.pdf.") + "</section>\n";
   return sheet;
 }
@@ -197,11 +182,11 @@ bool write_package(const CalculationPackage& package, const std::filesystem::pat
       print_head(
           {project.title.name, "calculation of required separations", in_inches() ? letter : a4},
           {project.title.name, project.title.revision, project.title.date,
-           /*is_simulated=*/package.files.empty()}) +
+           project.simulated_motions}) +
       paragraph(
           "Calculation of the seismic displacement of an unanchored rooftop solar array, and "
           "of its required separations") +
-      title_html(project) + answer_html(package) + warnings_box(shown_warnings(package)) +
+      title_html(project) + answer_html(package) + warnings_box(other_warnings(package.design)) +
       contents_html() + scope_html(package) + section_heading(Section::criteria) +
       plain_table(criteria_table(package)) + given_curves_html(project) +
       section_heading(Section::building) + plain_table(building_table(package)) +

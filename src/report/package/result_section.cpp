@@ -92,7 +92,7 @@ Html governing_html(const CalculationPackage& package) {
                                  "not met, which is on the safe side"));
   }
   steps.push_back(fmt::format("Governing displacement: the larger, {}; rounded up to {}.",
-                              length_in_both(design.governing_m),
+                              length_in_both(design.governing_m, 1),
                               length_in_both(design.rounded_m)));
   return "<div class=\"short\">\n" + list(steps) + "</div>\n";
 }

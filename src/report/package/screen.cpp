@@ -86,12 +86,13 @@ std::string governing_lines(const CalculationPackage& package) {
         "{:<15}prescribes {}; {}\n", standard_name(value.standard),
         length_in_both(value.prescribed.value_m),
         value.may_be_used() ? "conditions are met" : "conditions NOT met or not stated");
-    // Those of the project's standard are a reservation.
+    // Those of the project's standard are an open item.
     if (value.not_met() != of_standard(package.project, design).not_met() && !value.may_be_used())
       text += std::string(15, ' ') + wrapped(value.not_met(), terminal_width, 15) + "\n";
   }
-  text += line("GOVERNING", fmt::format("{}, rounded up to {}", length_in_both(design.governing_m),
-                                        length_in_both(design.rounded_m)));
+  text +=
+      line("GOVERNING", fmt::format("{}, rounded up to {}", length_in_both(design.governing_m, 1),
+                                    length_in_both(design.rounded_m)));
   text += line("", "by " + governed_by(package));
   if (design.floor_governs) text += line("", "after peer review the analysis alone: " + analysis);
   return text;
@@ -101,13 +102,9 @@ std::string separation_lines(const CalculationPackage& package) {
   std::string text = "\nSeparations\n";
   for (const ProjectSeparation& s : package.design.separations) {
     std::string verdict;
-    if (s.available_m) {
-      verdict = fmt::format(
-          "available {}{}", length_in(*s.available_m),
-          *s.available_m < s.required.value_m
-              ? ": NOT SUFFICIENT, " + length_in(s.required.value_m - *s.available_m) + " short"
-              : fmt::format(": {}", verdict_where_wide_enough(package)));
-    }
+    if (s.available_m)
+      verdict =
+          fmt::format("available {}: {}", length_in(*s.available_m), verdict_text(s, package));
     const std::string required = fmt::format("  {:.1f} x  {:>10}  {}", s.required.factor,
                                              length_in(s.required.value_m), s.text());
     const bool fits = required.size() + 2 + verdict.size() <= terminal_width;
@@ -115,7 +112,7 @@ std::string separation_lines(const CalculationPackage& package) {
             (verdict.empty() ? "" : (fits ? "  " : "\n" + std::string(21, ' ')) + verdict) + "\n";
   }
   text += wrapped(verdict_sentence(package));
-  for (const std::string& item : open_items(package)) text += wrapped("Open: " + item + ".");
+  for (const std::string& item : open_items(package.design)) text += wrapped("Open: " + item + ".");
   text += "\nProbability that the governing displacement is exceeded\n";
   const DisplacementExceedance& governing = package.design.compared.front();
   for (const ExceedanceAt& e : {governing.dbe, governing.mce})
@@ -136,7 +133,7 @@ std::string package_screen(const CalculationPackage& package) {
   const LengthUnits units(package.project.units);
   std::string text = wrapped(package.project.title.name, terminal_width, 0) + "\n" +
                      governing_lines(package) + separation_lines(package) + "\n";
-  for (const std::string& warning : shown_warnings(package))
+  for (const std::string& warning : other_warnings(package.design))
     text += wrapped("WARNING: " + warning, terminal_width, 2) + "\n";
   return text + inputs_lines(package) + demand_lines(package);
 }

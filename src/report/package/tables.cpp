@@ -45,29 +45,49 @@ Column share_column(const char* stem, const std::string& heading) {
 
 }  // namespace
 
-std::vector<std::string> warnings_of(const CalculationPackage& package) {
-  std::vector<std::string> warnings = capitalised(texts_of(package.design.warnings));
-  if (package.files.empty())
-    warnings.insert(warnings.begin(), capitalised(simulated_motions_warning));
-  return warnings;
+namespace {
+
+std::vector<std::string> warnings_that(bool are_open_items, const DesignClearance& design) {
+  std::vector<DesignWarning> found = design.warnings;
+  std::erase_if(found, [&](const DesignWarning& w) { return w.is_open_item != are_open_items; });
+  return capitalised(texts_of(found));
 }
 
-std::vector<std::string> open_items(const CalculationPackage& package) {
-  std::vector<std::string> items = reservations_on(package.project, package.design);
-  if (package.files.empty()) items.insert(items.begin(), simulated_motions_warning);
-  return capitalised(items);
+}  // namespace
+
+std::vector<std::string> warnings_of(const DesignClearance& design) {
+  return capitalised(texts_of(design.warnings));
 }
 
-const char* verdict_where_wide_enough(const CalculationPackage& package) {
-  return !of_standard(package.project, package.design).violated().empty() ? "not applicable"
-         : open_items(package).empty()                                    ? "sufficient"
-                                                                          : "open";
+std::vector<std::string> open_items(const DesignClearance& design) {
+  return warnings_that(true, design);
 }
 
-std::vector<std::string> shown_warnings(const CalculationPackage& package) {
-  std::vector<DesignWarning> shown = package.design.warnings;
-  std::erase_if(shown, [](const DesignWarning& warning) { return warning.is_reservation; });
-  return capitalised(texts_of(shown));
+std::vector<std::string> other_warnings(const DesignClearance& design) {
+  return warnings_that(false, design);
+}
+
+const char* to_string(SeparationVerdict verdict) {
+  switch (verdict) {
+    case SeparationVerdict::insufficient:
+      return "not sufficient";
+    case SeparationVerdict::not_applicable:
+      return "not applicable";
+    case SeparationVerdict::open:
+      return "open";
+    case SeparationVerdict::sufficient:
+      return "sufficient";
+    case SeparationVerdict::not_stated:
+      return "not stated";
+  }
+  return "";
+}
+
+std::string verdict_text(const ProjectSeparation& separation, const CalculationPackage& package) {
+  const SeparationVerdict verdict = verdict_on(separation, package.project, package.design);
+  if (verdict != SeparationVerdict::insufficient) return to_string(verdict);
+  return "NOT SUFFICIENT: " + length_in(separation.required.value_m - *separation.available_m) +
+         " short";
 }
 
 std::string range_text(const std::vector<double>& values, const char* unit) {
@@ -122,23 +142,35 @@ std::string hazard_sentence(const CalculationPackage& package) {
 }
 
 std::string verdict_sentence(const CalculationPackage& package) {
-  std::string lacking;
-  std::size_t known = 0;
+  std::vector<std::string> lacking, not_stated;
   for (const ProjectSeparation& s : package.design.separations) {
-    if (!s.available_m) continue;
-    ++known;
-    if (*s.available_m < s.required.value_m)
-      lacking += fmt::format("{}{} ({} short)", lacking.empty() ? "" : ", ", s.text(),
-                             length_in(s.required.value_m - *s.available_m));
+    const SeparationVerdict verdict = verdict_on(s, package.project, package.design);
+    if (verdict == SeparationVerdict::insufficient)
+      lacking.push_back(
+          fmt::format("{} ({} short)", s.text(), length_in(s.required.value_m - *s.available_m)));
+    if (verdict == SeparationVerdict::not_stated) not_stated.push_back(s.text());
   }
-  if (known == 0) return "Available separations are not stated.";
-  if (!lacking.empty()) return "Available separations are NOT SUFFICIENT " + lacking + ".";
-  const std::string fails = of_standard(package.project, package.design).violated();
-  if (!fails.empty()) return "NOT APPLICABLE: " + fails + ". " + approval_sentence;
-  return open_items(package).empty()
-             ? "The available separations are sufficient."
-             : "OPEN: no available separation is below the required one, but the items listed here "
-               "are open.";
+  const std::string others = not_stated.empty() ? ""
+                                                : fmt::format(" Not stated: what is available {}.",
+                                                              fmt::join(not_stated, ", "));
+  switch (verdict_on(package.project, package.design)) {
+    case SeparationVerdict::insufficient:
+      return fmt::format("Available separations are NOT SUFFICIENT {}.", fmt::join(lacking, ", ")) +
+             others;
+    case SeparationVerdict::not_applicable:
+      return fmt::format("NOT APPLICABLE: {}. {}",
+                         of_standard(package.project, package.design).violated(),
+                         approval_sentence);
+    case SeparationVerdict::open:
+      return "OPEN: no available separation is below the required one, but the items listed here "
+             "are open." +
+             others;
+    case SeparationVerdict::sufficient:
+      return "The available separations are sufficient." + others;
+    case SeparationVerdict::not_stated:
+      return "Available separations are not stated.";
+  }
+  return "";
 }
 
 const char* varied_of_building(const Project& project) {
@@ -272,7 +304,7 @@ Table separations_table(const CalculationPackage& package) {
       "separations",
       fmt::format("Required separations: each a factor on the governing displacement, {}, rounded "
                   "up to {}",
-                  length_in_both(design.governing_m), length_in(package.project.round_up_m)),
+                  length_in_both(design.governing_m, 1), length_in(package.project.round_up_m)),
       {text_column("letter", ""), text_column("separation", "Separation"),
        text_column("factor", "Factor"), text_column("required", "Required"),
        text_column("required_ft", "In feet"), text_column("available", "Available"),
@@ -283,12 +315,9 @@ Table separations_table(const CalculationPackage& package) {
     table.add({separation_letter(table.rows.size()), s.text(), fixed(s.required.factor, 1),
                length_cell_in_both(s.required.value_m), required_ft(s.required.value_m),
                known ? Cell(length_cell_in_both(*s.available_m)) : "not stated",
-               std::string(!known ? "-"
-                           : *s.available_m < s.required.value_m
-                               ? "NOT SUFFICIENT: " +
-                                     length_in(s.required.value_m - *s.available_m) + " short"
-                               : verdict_where_wide_enough(package))});
+               known ? verdict_text(s, package) : "-"});
   }
+  table.notes.push_back(verdict_sentence(package));
   const Standard standard = package.project.standard;
   for (const Separation& s : separations_of(standard, design.governing_m)) {
     if (!s.basis.empty())
@@ -334,7 +363,7 @@ Table exceedance_table(const CalculationPackage& package) {
   Table table{
       "exceedance",
       fmt::format("Probability that the displacement exceeds the governing one, {}",
-                  length_in_both(package.design.governing_m)),
+                  length_in_both(package.design.governing_m, 1)),
       {text_column("period", "Building period"), share_column("dbe", at("DBE", "S_DS", dbe)),
        share_column("mce", at("MCE", "S_MS", mce))},
       {}};

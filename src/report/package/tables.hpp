@@ -53,9 +53,9 @@ Table checks_table(const CalculationPackage& package);
 /// "10 % of the histories at the DBE exceed 8.2 in (95 % interval 3.1 in to 12.0 in)".
 std::string accepted_sentence(const DesignClearance& design);
 /// Why a separation that is large enough is not called sufficient.
-std::vector<std::string> open_items(const CalculationPackage& package);
-/// Those of the calculation that are no open items.
-std::vector<std::string> shown_warnings(const CalculationPackage& package);
+std::vector<std::string> open_items(const DesignClearance& design);
+/// The warnings that are no open items.
+std::vector<std::string> other_warnings(const DesignClearance& design);
 /// "ASCE 7-16, 80 % of its displacement", "nonlinear response history analysis".
 std::string governed_by(const CalculationPackage& package);
 /// How often the governing displacement is exceeded and what adds up over the design life; or which
@@ -63,8 +63,8 @@ std::string governed_by(const CalculationPackage& package);
 std::string hazard_sentence(const CalculationPackage& package);
 /// On the separations that the project states are available.
 std::string verdict_sentence(const CalculationPackage& package);
-/// Of one separation: "sufficient", "open", "not applicable".
-const char* verdict_where_wide_enough(const CalculationPackage& package);
+/// "open"; of what is too short also by how much: "NOT SUFFICIENT: 1.2 in short".
+std::string verdict_text(const ProjectSeparation& separation, const CalculationPackage& package);
 /// What a reader of percentiles must know.
 inline constexpr auto percentile_note =
     "A percentile is below the mean where few records slide far.";

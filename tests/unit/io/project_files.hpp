@@ -47,7 +47,9 @@ class ProjectFiles : public testing::Test {
   std::vector<Problem> problems_of(const std::string& text) {
     return glissade::problems_of([&] { read(text); });
   }
-  std::vector<std::string> warnings_of(const std::string& text) { return choices_of(read(text)); }
+  std::vector<std::string> warnings_of(const std::string& text) {
+    return texts_of(warnings_on(read(text)));
+  }
 
   /// The whole project but for a part of its text.
   static std::string changed(const std::string& from, const std::string& to,

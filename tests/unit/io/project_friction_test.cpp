@@ -45,7 +45,7 @@ TEST_F(FrictionOfProject, is_the_lowest_design_value_of_all_directions) {
       project.friction.tested[0].sliding_mu,
       ElementsAre(DoubleNear(0.55, 1e-12), DoubleNear(0.56, 1e-12), DoubleNear(0.57, 1e-12)));
   const auto better = Contains(states("direction along", "0.490"));
-  EXPECT_THAT(choices_of(project), Not(better));
+  EXPECT_THAT(texts_of(warnings_on(project)), Not(better));
   EXPECT_THAT(warnings_of(changed("[suite]", "direction = \"across\"\n[suite]", text)), better);
 }
 
@@ -96,7 +96,7 @@ TEST_F(FrictionOfProject, of_few_or_doubtful_tests_is_a_warning) {
       read(tested("direction,mu\nalong,0.50\nAlong,0.54\nalong,0.52\nalong,0.55\n"
                   "along,0.51\nalong,0.2\nacross,0.6\n"));
   EXPECT_EQ(project.friction.tested.size(), 2u);  // Along is along
-  EXPECT_THAT(choices_of(project),
+  EXPECT_THAT(texts_of(warnings_on(project)),
               AllOf(Contains(states("direction across")), Contains(states("test 6 of 6"))));
 }
 
