@@ -8,6 +8,7 @@
 
 #include "glissade/core/units.hpp"
 #include "glissade/motion/intensity.hpp"
+#include "glissade/motion/peak_names.hpp"
 
 namespace glissade {
 namespace {
@@ -15,17 +16,17 @@ namespace {
 /// Outside of it no recorded motion is known. `source` is that of the upper end; the lower ones are
 /// recalled. IWTH25: 4,278 cm/s2 (Yamada et al. 2009).
 struct RecordedRange {
-  const char *what, *unit;
+  const char *what, *unit;  ///< of a peak what stands before its name
   double least, most;
   const char* source;
 };
 
-constexpr RecordedRange horizontal_pga{"PGA", "g", 0.001, most_probable_pga_g,
+constexpr RecordedRange horizontal_pga{"", "g", 0.001, most_probable_pga_g,
                                        "largest horizontal: station MYG004, Tohoku 2011, 2.7 g"},
-    vertical_pga{"vertical PGA", "g", 0.0, 4.0,
+    vertical_pga{"vertical ", "g", 0.0, 4.0,
                  "largest: station IWTH25, Iwate-Miyagi 2008, 4.3 g of all components together"},
-    pgv{"PGV", "m/s", 0.0, 4.0, "largest: station TCU068, Chi-Chi 1999, 3.8 m/s (recalled)"},
-    pgd{"PGD", "m", 0.0, 10.0, "largest: station TCU068, Chi-Chi 1999, more than 9 m"},
+    pgv{"", "m/s", 0.0, 4.0, "largest: station TCU068, Chi-Chi 1999, 3.8 m/s (recalled)"},
+    pgd{"", "m", 0.0, 10.0, "largest: station TCU068, Chi-Chi 1999, more than 9 m"},
     duration{"duration D5-95", "s", 0.5, 300.0, "recalled"},
     step{"time step", "s", 0.001, 0.05, "recalled: recorders take 20 to 1000 samples a second"};
 
@@ -43,14 +44,16 @@ bool needs_hazard_analysis(const DesignTarget& target, SiteClass site) {
 
 }  // namespace
 
-std::vector<std::string> improbable_values(const Motion& motion) {
+std::vector<std::string> improbable_values(const Motion& motion, bool of_roof) {
+  const PeakNames peak = peak_names(of_roof);
   std::vector<std::string> found = motion.contradictions;
-  const auto check = [&](const RecordedRange& range, double value) {
+  const auto check = [&](const RecordedRange& range, double value, const char* name = "") {
     if (value >= range.least && value <= range.most) return;
     const bool above = value > range.most;
-    found.push_back(fmt::format("{} of {:.3g} {}, {} {:g} {} ({})", range.what, value, range.unit,
-                                above ? "above" : "below", above ? range.most : range.least,
-                                range.unit, above ? range.source : "recalled"));
+    found.push_back(fmt::format("{}{} of {:.3g} {}, {} {:g} {} ({})", range.what, name, value,
+                                range.unit, above ? "above" : "below",
+                                above ? range.most : range.least, range.unit,
+                                above ? range.source : "recalled"));
   };
   const auto& [first, second] = motion.horizontal_mps2;
   if (first == second) found.emplace_back("the same motion as both horizontal components");
@@ -63,9 +66,10 @@ std::vector<std::string> improbable_values(const Motion& motion) {
     const double low = std::min(one, other), high = std::max(one, other);
     if (high > most_probable_pga_ratio * low)
       found.push_back(fmt::format(
-          "PGA of {:.3g} g and {:.3g} g along its two horizontal components, more than {:g} times "
+          "{} of {:.3g} g and {:.3g} g along its two horizontal components, more than {:g} times "
           "each other: is one in another unit?",
-          low / standard_gravity_mps2, high / standard_gravity_mps2, most_probable_pga_ratio));
+          peak.acceleration, low / standard_gravity_mps2, high / standard_gravity_mps2,
+          most_probable_pga_ratio));
   }
   constexpr double least_scale = 0.1, most_scale = 10.0;
   if (motion.scale < least_scale || motion.scale > most_scale)
@@ -77,11 +81,16 @@ std::vector<std::string> improbable_values(const Motion& motion) {
     return second.empty() ? measure(first) : std::max(measure(first), measure(second));
   };
   const double dt_s = motion.dt_s;
-  check(horizontal_pga, largest([](const auto& a) { return peak_ground_acceleration_mps2(a); }) /
-                            standard_gravity_mps2);
-  check(vertical_pga, peak_ground_acceleration_mps2(motion.vertical_mps2) / standard_gravity_mps2);
-  check(pgv, largest([&](const auto& a) { return peak_ground_velocity_mps(dt_s, a); }));
-  check(pgd, largest([&](const auto& a) { return peak_ground_displacement_m(dt_s, a); }));
+  check(horizontal_pga, largest([](const auto& a) {
+                          return peak_ground_acceleration_mps2(a);
+                        }) / standard_gravity_mps2,
+        peak.acceleration);
+  check(vertical_pga, peak_ground_acceleration_mps2(motion.vertical_mps2) / standard_gravity_mps2,
+        peak.acceleration);
+  check(pgv, largest([&](const auto& a) { return peak_ground_velocity_mps(dt_s, a); }),
+        peak.velocity);
+  check(pgd, largest([&](const auto& a) { return peak_ground_displacement_m(dt_s, a); }),
+        peak.displacement);
   check(duration, significant_duration_s(dt_s, first, second));
   check(step, dt_s);
   return found;

@@ -131,8 +131,8 @@ TEST_F(RoofPackage, suite_commands_and_studies_say_that_the_motions_are_of_a_roo
   const std::string study =
       folder_.write("study.toml",
                     "[study]\nname = \"roofs\"\n[suite]\nfile = \"roofs.toml\"\n"
-                    "[intensity]\nmeasure = \"factor\"\nlevels = [1.0]\n"
-                    "[roof]\nslope_deg = 1.2\n[friction]\nmu = 0.3\n"
+                    "[intensity]\nmeasure = \"factor\"\nlevels = [1.0, 1.5]\n"
+                    "[roof]\nslope_deg = [0, 1.2]\n[friction]\nmu = 0.3\n"
                     "[vertical]\nuse = [\"none\", \"if_available\"]\n"
                     "[orientation]\nchoice = \"all_permutations\"\n[clearance]\n");
   const fs::path out = folder_.path("study");

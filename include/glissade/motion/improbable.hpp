@@ -36,7 +36,7 @@ inline constexpr double longest_probable_period_s = 10.0;
 /// Of a motion without its scale: one motion as both horizontals, and what is outside what any
 /// recorded motion has shown ("PGA of 12.3 g, above 3 g (largest horizontal: ...)"), most probably
 /// for wrong units or a wrong step.
-std::vector<std::string> improbable_values(const Motion& motion);
+std::vector<std::string> improbable_values(const Motion& motion, bool of_roof = false);
 
 /// What is taken for granted of a motion whose files do not state it.
 std::vector<std::string> notes_on(const Motion& motion);

@@ -69,6 +69,10 @@ std::string recalled_in_brackets(Provenance provenance);
 /// "1234 histories ...: why"; without the number where nothing was counted.
 std::string format_skip(const Skip& skip);
 
+/// "Building period" of "building period"; the name of a key ("suite.file") stays as it is.
+std::string capitalised(std::string text);
+std::vector<std::string> capitalised(std::vector<std::string> texts);
+
 /// A paragraph for the terminal, indented, in lines of at most 80 characters.
 std::string wrapped(const std::string& text);
 std::string paragraphs(const std::vector<std::string>& texts);

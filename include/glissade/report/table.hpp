@@ -88,9 +88,6 @@ struct Table {
   Table first_rows(std::size_t most, const FileName& file) const;
 };
 
-/// The same table in words of a roof's motions: PGA is the peak roof acceleration.
-Table in_words_of_roof(Table table);
-
 /// The names of a column in files, unit included: one, or with its interval three.
 std::vector<std::string> file_names(const Column& column);
 /// The numbers of a cell, NaN where it has none: value, and ends of the interval.

@@ -16,7 +16,7 @@
 #include "glissade/io/suite_file.hpp"
 #include "glissade/motion/improbable.hpp"
 #include "glissade/motion/intensity.hpp"
-#include "glissade/motion/roof_words.hpp"
+#include "glissade/motion/peak_names.hpp"
 #include "glissade/sampling/pull_test.hpp"
 #include "glissade/study/plan/one_mass.hpp"
 #include "shared/finding.hpp"
@@ -117,19 +117,17 @@ Json number_or_null(double x) { return std::isfinite(x) ? Json(x) : Json(nullptr
 
 /// What is possible and not probable.
 std::vector<std::string> warnings_on(const SlideOptions& o, const Motion& motion, double pga_g) {
-  std::vector<std::string> warnings = improbable_values(motion);
+  std::vector<std::string> warnings = improbable_values(motion, o.of_roof);
   if ((o.scale || o.pga_g) && pga_g > most_probable_pga_g)
-    warnings.push_back(fmt::format(
-        "a PGA of {:.3g} g, with its factor, is above {:g} g: no recorded motion has it", pga_g,
-        most_probable_pga_g));
+    warnings.push_back(
+        fmt::format("a {} of {:.3g} g, with its factor, is above {:g} g: no recorded motion has it",
+                    peak_names(o.of_roof).acceleration, pga_g, most_probable_pga_g));
   for (std::string& text :
        std::array{improbable_friction("a friction", o.c.friction), improbable_period(o.c.period_s)})
     if (!text.empty()) warnings.push_back(std::move(text));
   if (o.building().is_one_mass())
     if (std::string text = one_mass_sentence(std::nullopt, o.c.period_s); !text.empty())
       warnings.push_back(text + ": give --alpha");
-  if (o.of_roof)
-    for (std::string& warning : warnings) warning = in_words_of_roof(std::move(warning));
   return warnings;
 }
 

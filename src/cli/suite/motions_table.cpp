@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "suite/motions_table.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 
 #include "glissade/core/units.hpp"
 #include "glissade/motion/intensity.hpp"
+#include "glissade/motion/peak_names.hpp"
+#include "glissade/report/format.hpp"
 #include "glissade/report/table.hpp"
 
 namespace glissade::cli {
@@ -29,11 +33,14 @@ Column number(std::string stem, std::string unit, std::string heading, int decim
           false,           decimals};
 }
 
-std::vector<Column> columns() {
+std::vector<Column> columns(const PeakNames& peak) {
+  const auto heading = [](const std::string& of, const char* name, const char* unit) {
+    return capitalised(of + name) + ", " + unit;
+  };
   std::vector<Column> all{text_column("id", "Record"),
-                          number("pga", "g", "PGA, g"),
-                          number("pgv", "mps", "PGV, m/s"),
-                          number("pgd", "m", "PGD, m"),
+                          number("pga", "g", heading("", peak.acceleration, "g")),
+                          number("pgv", "mps", heading("", peak.velocity, "m/s")),
+                          number("pgd", "m", heading("", peak.displacement, "m")),
                           number("duration", "s", "D5-95, s"),
                           number("dt", "s", "Step, s", 4),
                           {"samples", "", "Samples", ColumnKind::count},
@@ -49,9 +56,9 @@ std::vector<Column> columns() {
   detail(number("vs30", "mps", "Vs30, m/s", 0));
   for (const ShownComponent& c : components) {
     const std::string stem = std::string("_") + c.stem, name = std::string(c.name) + " ";
-    detail(number("pga" + stem, "g", name + "PGA, g"));
-    detail(number("pgv" + stem, "mps", name + "PGV, m/s"));
-    detail(number("pgd" + stem, "m", name + "PGD, m"));
+    detail(number("pga" + stem, "g", name + peak.acceleration + ", g"));
+    detail(number("pgv" + stem, "mps", name + peak.velocity + ", m/s"));
+    detail(number("pgd" + stem, "m", name + peak.displacement + ", m"));
     detail(number("duration" + stem, "s", name + "D5-95, s"));
   }
   return all;
@@ -62,11 +69,13 @@ std::vector<Column> columns() {
 Table motions_table(const Suite& suite) {
   const bool is_processed =
       std::ranges::any_of(suite.motions, [](const Motion& m) { return !m.processing.empty(); });
+  const PeakNames peak = peak_names(suite.of_roof);
   Table table{"motions",
-              std::string(is_processed ? "Processed, as the notes say" : "As recorded") +
-                  ", without the suite's scale. PGA, PGV and PGD are geometric means of the "
-                  "horizontals, D5-95 is of both together.",
-              columns(),
+              fmt::format("{}, without the suite's scale. {}, {} and {} are geometric means of the "
+                          "horizontals, D5-95 is of both together.",
+                          is_processed ? "Processed, as the notes say" : "As recorded",
+                          capitalised(peak.acceleration), peak.velocity, peak.displacement),
+              columns(peak),
               {}};
   constexpr auto mean = HorizontalCombination::geometric_mean;
   const auto given = [](double value) { return value > 0.0 ? value : std::nan(""); };
@@ -95,7 +104,7 @@ Table motions_table(const Suite& suite) {
     }
     table.add(std::move(row));
   }
-  return suite.of_roof ? in_words_of_roof(std::move(table)) : table;
+  return table;
 }
 
 }  // namespace glissade::cli

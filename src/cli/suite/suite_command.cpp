@@ -14,7 +14,6 @@
 #include "glissade/io/suite_writer.hpp"
 #include "glissade/motion/improbable.hpp"
 #include "glissade/motion/intensity.hpp"
-#include "glissade/motion/roof_words.hpp"
 #include "glissade/motion/scaling_rule.hpp"
 #include "glissade/motion/simulation/suite_design.hpp"
 #include "glissade/motion/suite_scaling.hpp"
@@ -105,8 +104,8 @@ void show(const SuiteOptions& o) {
   if (suite.nearest_to_target)
     put("selected as the nearest to a target spectrum: the motions scatter less\n");
   for (const Motion& motion : suite.motions) {
-    for (const std::string& value : improbable_values(motion))
-      put_warning(motion.id + ": " + (suite.of_roof ? in_words_of_roof(value) : value));
+    for (const std::string& value : improbable_values(motion, suite.of_roof))
+      put_warning(motion.id + ": " + value);
   }
   for (const Motion& motion : suite.motions) {
     for (const std::string& note : notes_on(motion)) put_note(motion.id + ": " + note);

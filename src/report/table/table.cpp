@@ -14,7 +14,6 @@
 #include "glissade/core/contract.hpp"
 #include "glissade/core/units.hpp"
 #include "glissade/core/wrap.hpp"
-#include "glissade/motion/roof_words.hpp"
 #include "glissade/report/format.hpp"
 
 namespace glissade {
@@ -186,13 +185,6 @@ Column detail(Column column) {
 void Table::add(std::vector<Cell> row) {
   GLISSADE_EXPECTS(std::ranges::equal(columns, row, belongs_in));
   rows.push_back(std::move(row));
-}
-
-Table in_words_of_roof(Table table) {
-  table.title = in_words_of_roof(std::move(table.title));
-  for (std::string& note : table.notes) note = in_words_of_roof(std::move(note));
-  for (Column& column : table.columns) column.heading = in_words_of_roof(std::move(column.heading));
-  return table;
 }
 
 namespace {

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <cstdlib>
 #include <utility>
@@ -144,6 +145,19 @@ std::string recalled_in_brackets(Provenance provenance) {
 std::string format_skip(const Skip& skip) {
   const std::string count = skip.count > 0 ? fmt::format("{} ", skip.count) : "";
   return count + skip.what + ": " + skip.why;
+}
+
+std::string capitalised(std::string text) {
+  const std::string first_word = text.substr(0, text.find(' '));
+  const bool is_key = first_word.find_first_of("._") != std::string::npos;
+  if (!text.empty() && !is_key)
+    text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));
+  return text;
+}
+
+std::vector<std::string> capitalised(std::vector<std::string> texts) {
+  for (std::string& text : texts) text = capitalised(std::move(text));
+  return texts;
 }
 
 std::string wrapped(const std::string& text) {

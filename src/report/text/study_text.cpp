@@ -264,19 +264,6 @@ std::vector<std::size_t> evenly(std::size_t size, std::size_t count) {
   return chosen;
 }
 
-std::string capitalised(std::string text) {
-  const std::string first_word = text.substr(0, text.find(' '));
-  const bool is_key = first_word.find_first_of("._") != std::string::npos;
-  if (!text.empty() && !is_key)
-    text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));
-  return text;
-}
-
-std::vector<std::string> capitalised(std::vector<std::string> texts) {
-  for (std::string& text : texts) text = capitalised(std::move(text));
-  return texts;
-}
-
 std::string share_with_interval(const Estimate& share) {
   return fmt::format("{} [{} to {}]", format_share(std::max(0.0, share.value)),
                      format_share(share.interval.low), format_share(share.interval.high));

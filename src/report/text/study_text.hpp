@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "glissade/report/figure.hpp"
+#include "glissade/report/format.hpp"
 #include "glissade/report/table.hpp"
 #include "glissade/study/results.hpp"
 
@@ -117,9 +118,6 @@ std::vector<double> some_levels(const std::vector<double>& levels, std::size_t c
 
 /// Up to `count` (2 or more) positions below `size`, evenly spread, both ends included.
 std::vector<std::size_t> evenly(std::size_t size, std::size_t count);
-/// "Building period" of "building period"; the name of a key ("suite.file") stays as it is.
-std::string capitalised(std::string text);
-std::vector<std::string> capitalised(std::vector<std::string> texts);
 /// "12 % [8.1 % to 17 %]"; an estimate below 0 counts as 0.
 std::string share_with_interval(const Estimate& share);
 

@@ -9,7 +9,6 @@
 
 #include "glissade/core/quantile.hpp"
 #include "glissade/motion/improbable.hpp"
-#include "glissade/motion/roof_words.hpp"
 #include "glissade/sampling/pull_test.hpp"
 #include "plan/plan_check.hpp"
 
@@ -205,11 +204,9 @@ Warnings motions(const Plan& plan) {
   std::size_t more = 0;
   for (std::size_t record = 0; record < plan.records.size(); ++record) {
     const Motion& motion = plan.motion(record);
-    for (const std::string& value : improbable_values(motion)) {
+    for (const std::string& value : improbable_values(motion, plan.suites.front().of_roof)) {
       if (warnings.size() < most_named)
-        warnings.push_back(
-            fmt::format("record {}: {}", motion.id,
-                        plan.suites.front().of_roof ? in_words_of_roof(value) : value));
+        warnings.push_back(fmt::format("record {}: {}", motion.id, value));
       else
         ++more;
     }

@@ -94,6 +94,7 @@ View by_building(const Results& results, ConditionAxis x, const Table& table,
   Places drawn;
   for (const std::size_t i : evenly(all.size(), most)) drawn.push_back(all[i]);
   return medians_over(results, x, table, drawn, [&](const Condition& at) {
+    if (results.suites.front().of_roof) return std::string("mean");
     return "building of " + label_of(grid, period, at);
   });
 }
@@ -168,8 +169,10 @@ Figure yielding_figure(const Results& results) {
 /// Fig. 17: displacement over slope by period.
 Figure slope_figure(const Results& results) {
   const ConditionGrid grid(results);
-  View largest = medians_over(results, slope, clearance_table(results), {shown_condition(grid)},
-                              [](const Condition&) { return "largest over the periods"; });
+  View largest = medians_over(
+      results, slope, clearance_table(results), {shown_condition(grid)}, [&](const Condition&) {
+        return results.suites.front().of_roof ? "mean" : "largest over the periods";
+      });
   largest.lines[0].look = look(Role::median);
   largest.lines[0].look.width = 3.5;
   for (std::size_t i = 0; i < grid.size(slope); ++i) {

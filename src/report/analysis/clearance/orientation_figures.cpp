@@ -104,9 +104,9 @@ Figure permutations_figure(const Results& results) {
           "Clearance by slope and the axis it falls along",
           below_text(results, {ConditionAxis::slope, ConditionAxis::mass}),
           what_is_averaged(results) +
-              fmt::format(", the largest over the building periods, times {:g}. The slope "
-                          "permutations of Walters et al. (2012), with friction {}.",
-                          factor, friction_text(results)),
+              fmt::format("{}, times {:g}. The slope permutations of Walters et al. (2012), with "
+                          "friction {}.",
+                          over_building_periods(results), factor, friction_text(results)),
           {panel}};
 }
 

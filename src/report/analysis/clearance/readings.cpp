@@ -7,7 +7,6 @@
 
 #include "analysis/conditions/view.hpp"
 #include "glissade/core/quantile.hpp"
-#include "glissade/motion/roof_words.hpp"
 #include "glissade/report/clearance_report.hpp"
 #include "glissade/report/format.hpp"
 #include "text/study_text.hpp"
@@ -19,9 +18,19 @@ using enum ConditionAxis;
 
 Condition shown(const Results& r) { return shown_condition(ConditionGrid(r)); }
 
+/// Of means, none where the motions are of the roof.
+const char* over_the_periods(const Results& r) {
+  return r.suites.front().of_roof ? "" : " over the periods";
+}
+
 /// "T = 1 s".
 std::string period_text(const ConditionGrid& grid, std::size_t place) {
   return fmt::format("T = {:g} s", grid.value(period, place));
+}
+
+/// " at T = 1 s".
+std::string at_period(const ConditionGrid& grid, std::size_t place) {
+  return grid.results().suites.front().of_roof ? "" : " at " + period_text(grid, place);
 }
 
 /// A ratio below a thousandth is reported as that.
@@ -91,9 +100,10 @@ std::string downhill_reading(const Results& r) {
     if (orientations_of(r, question).empty()) continue;
     const OrientationRange range = over_orientations(r, question, shown(r), Periods::largest);
     text += fmt::format(
-        " Where the roof falls {}, with a friction of {:g} downhill, the largest mean over the "
-        "periods is {}, from {} to {} over the orientations.",
-        to_string(axis), ConditionGrid(r).case_at({}).friction_on(axis),
+        " Where the roof falls {}, with a friction of {:g} downhill, the largest mean{} is {}, "
+        "from "
+        "{} to {} over the orientations.",
+        to_string(axis), ConditionGrid(r).case_at({}).friction_on(axis), over_the_periods(r),
         format_length(range.median), format_length(range.lowest), format_length(range.highest));
   }
   return text;
@@ -104,9 +114,10 @@ std::string orientation_reading(const Results& r) {
   const PerRecordBounds own = per_record_bounds(r, question, shown(r), Periods::largest);
   const std::vector<double> means = per_record_means(r, question, shown(r), Periods::largest);
   std::string text = fmt::format(
-      "With the orientation chosen record by record, the largest mean over the periods is from {} "
-      "to {}; of 10,000 random choices 90 % give {} to {}.",
-      format_length(own.lowest), format_length(own.highest),
+      "With the orientation chosen record by record, the largest mean{} is from {} to {}; of "
+      "10,000 "
+      "random choices 90 % give {} to {}.",
+      over_the_periods(r), format_length(own.lowest), format_length(own.highest),
       format_length(quantile_of(means, 0.05)), format_length(quantile_of(means, 0.95)));
   const StrongerAlong stronger = stronger_along(r, question, shown(r), Periods::largest);
   if (std::isfinite(stronger.as_recorded) && std::isfinite(stronger.reversed)) {
@@ -144,8 +155,10 @@ std::string level_reading(const Results& r) {
     const OrientationRange range = over_orientations(r, {.suite = suite}, shown(r), Periods::one);
     parts.push_back(fmt::format("{} {}", r.suites[suite].name, range_text(r, range)));
   }
-  return fmt::format("On a building of {}: {}.", label_of(ConditionGrid(r), period, 0),
-                     fmt::join(parts, "; "));
+  const std::string building = r.suites.front().of_roof
+                                   ? "The means"
+                                   : "On a building of " + label_of(ConditionGrid(r), period, 0);
+  return fmt::format("{}: {}.", building, fmt::join(parts, "; "));
 }
 
 std::string yielding_reading(const Results& r) {
@@ -179,9 +192,9 @@ std::string slope_reading(const Results& r) {
     parts.push_back(
         fmt::format("{} on {}", format_length(range.median), slope_text(grid.value(slope, at))));
   }
-  return fmt::format(
-      "Largest mean over the periods: {}; {} times as much on the steepest as on the flattest.",
-      fmt::join(parts, ", "), format_number(steepest / flattest));
+  return fmt::format("Largest mean{}: {}; {} times as much on the steepest as on the flattest.",
+                     over_the_periods(r), fmt::join(parts, ", "),
+                     format_number(steepest / flattest));
 }
 
 std::string mce_reading(const Results& r) {
@@ -195,12 +208,16 @@ std::string mce_reading(const Results& r) {
                          strong = over_orientations(r, {}, high, Periods::one),
                          strongest = over_orientations(r, {}, high, Periods::largest);
   const std::string low_name = label_of(grid, level, 0), high_name = label_of(grid, level, last);
-  const std::string text = fmt::format(
-      "Largest over the periods: {} at {} (at {}), {} at {}. At {}: {} at {}, {} "
-      "at {}",
-      format_length(weak.median), low_name, period_text(grid, governing),
-      format_length(strongest.median), high_name, period_text(grid, 0), format_length(first.median),
-      low_name, format_length(strong.median), high_name);
+  const bool of_roof = r.suites.front().of_roof;
+  const auto both = [&](double low_m, const std::string& period, double high_m) {
+    return fmt::format("{} at {}{}, {} at {}", format_length(low_m), low_name, period,
+                       format_length(high_m), high_name);
+  };
+  const std::string largest =
+      fmt::format("Largest over the periods: {}. At {}: ",
+                  both(weak.median, " (" + period_text(grid, governing) + ")", strongest.median),
+                  period_text(grid, 0));
+  const std::string text = (of_roof ? "" : largest) + both(first.median, "", strong.median);
   if (!(weak.median > 0.0)) return text + ".";
   return text + fmt::format("; the latter is {} times the largest at {}.",
                             format_number(strong.median / weak.median), low_name);
@@ -214,10 +231,10 @@ std::string axis_reading(const Results& r) {
   for (const Condition& at : shown_along(grid, axis)) {
     const OrientationRange range = over_orientations(r, {}, at, Periods::largest);
     parts.push_back(
-        fmt::format("{}: {} at {}", label_of(grid, axis, at), range_text(r, range),
-                    period_text(grid, governing_period(r, {}, at, r.clearance->orientation))));
+        fmt::format("{}: {}{}", label_of(grid, axis, at), range_text(r, range),
+                    at_period(grid, governing_period(r, {}, at, r.clearance->orientation))));
   }
-  return fmt::format("Largest mean over the periods. {}.", fmt::join(parts, "; "));
+  return fmt::format("Largest mean{}. {}.", over_the_periods(r), fmt::join(parts, "; "));
 }
 
 template <ConditionAxis axis>
@@ -257,8 +274,7 @@ bool covers(const Results& results, ClearanceTopic topic) {
 
 std::string clearance_reading(const Results& results, ClearanceTopic topic) {
   if (!covers(results, topic)) return "";
-  const std::string reading = topic_of(topic).reading(results);
-  return results.suites.front().of_roof ? in_words_of_roof(reading) : reading;
+  return topic_of(topic).reading(results);
 }
 
 }  // namespace glissade

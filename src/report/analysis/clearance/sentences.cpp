@@ -8,7 +8,6 @@
 #include "analysis/conditions/columns.hpp"
 #include "analysis/conditions/view.hpp"
 #include "glissade/core/finite.hpp"
-#include "glissade/motion/roof_words.hpp"
 #include "glissade/report/clearance_report.hpp"
 #include "glissade/report/format.hpp"
 #include "text/study_text.hpp"
@@ -52,10 +51,9 @@ std::string clearance_rule_text(const Results& r) {
   std::string theirs = r.clearance->factor == ClearanceConfig{}.factor ? "" : "1.1";
   if (several && r.clearance->orientation == OrientationRule::largest)
     theirs += theirs.empty() ? "the median" : ", the median";
-  return fmt::format(
-      "Required clearance: {:g} x the suite's mean{}, the largest over the building periods "
-      "(Walters et al. 2012{}{}).",
-      r.clearance->factor, orientation, theirs.empty() ? "" : ": ", theirs);
+  return fmt::format("Required clearance: {:g} x the suite's mean{}{} (Walters et al. 2012{}{}).",
+                     r.clearance->factor, orientation, over_building_periods(r),
+                     theirs.empty() ? "" : ": ", theirs);
 }
 
 /// The smallest and the largest clearance of all conditions in which the array may slide.
@@ -91,8 +89,6 @@ std::vector<std::string> clearance_sentences(const Results& results) {
   }
   if (const std::string range = range_of_conditions(results); !range.empty())
     sentences.push_back(range);
-  if (results.suites.front().of_roof)
-    for (std::string& sentence : sentences) sentence = in_words_of_roof(std::move(sentence));
   return sentences;
 }
 

@@ -43,11 +43,10 @@ MeansByCondition means_by_period(const Results& results) {
 }  // namespace
 
 Table clearance_table(const Results& results) {
-  const bool of_roof = results.suites.front().of_roof;
-  Table table = means_table(largest_means(results), "clearances",
-                            std::string("The suite's mean displacement,") +
-                                (of_roof ? "" : " the largest over the building periods,") +
-                                " over the orientations; and the clearance" + rule_text(results));
+  Table table =
+      means_table(largest_means(results), "clearances",
+                  std::string("The suite's mean displacement") + over_building_periods(results) +
+                      ", over the orientations; and the clearance" + rule_text(results));
   append(table.columns, {range_column("clearance", "Clearance", "required clearance by the rule"),
                          range_column("clearance_median", "By the median",
                                       "the factor on the median of the orientations"),
@@ -83,12 +82,13 @@ Table clearance_yielding_table(const Results& results) {
 }
 
 std::vector<Table> clearance_by_orientation_tables(const Results& results) {
-  return {means_by_orientation_table(
-              means_by_period(results), "by_orientation",
-              "The suite's mean displacement by building period, in each orientation"),
-          means_by_orientation_table(largest_means(results), "clearances_by_orientation",
-                                     "The suite's mean displacement in each orientation, the "
-                                     "largest over the building periods")};
+  return {
+      means_by_orientation_table(
+          means_by_period(results), "by_orientation",
+          "The suite's mean displacement by building period, in each orientation"),
+      means_by_orientation_table(largest_means(results), "clearances_by_orientation",
+                                 std::string("The suite's mean displacement in each orientation") +
+                                     over_building_periods(results))};
 }
 
 Table clearance_orientations_table(const Results& results) {

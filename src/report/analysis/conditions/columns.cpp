@@ -6,7 +6,6 @@
 #include <algorithm>
 
 #include "analysis/conditions/view.hpp"
-#include "glissade/motion/roof_words.hpp"
 #include "glissade/report/format.hpp"
 #include "text/study_text.hpp"
 
@@ -32,8 +31,7 @@ Column condition_level_column(const Results& results) {
 
 Cell condition_cell(const ConditionGrid& grid, ConditionAxis axis, std::size_t place) {
   if (axis == ConditionAxis::level || parameter_of(axis) != nullptr) return grid.value(axis, place);
-  const std::string label = label_of(grid, axis, place);
-  return grid.results().suites.front().of_roof ? in_words_of_roof(label) : label;
+  return label_of(grid, axis, place);
 }
 
 ConditionColumns::ConditionColumns(const Results& results, std::vector<ConditionAxis> without)

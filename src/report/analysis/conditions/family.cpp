@@ -7,7 +7,6 @@
 #include <cmath>
 
 #include "analysis/conditions/view.hpp"
-#include "glissade/motion/roof_words.hpp"
 #include "glissade/report/format.hpp"
 #include "text/study_text.hpp"
 
@@ -27,10 +26,8 @@ View medians_over(const Results& results, ConditionAxis x, const Table& table,
   view.spread_name = "lowest and highest";
   if (results.suites.size() > 1) view.where = {{"suite", results.suites.front().name}};
   for (const Condition& at : members) {
-    const std::string label =
-        results.suites.front().of_roof ? in_words_of_roof(name(at)) : name(at);
-    view.lines.push_back({label, family_look(view.lines.size(), members.size()), as_line_and_points,
-                          "median", rows_at(results, table, at, x)});
+    view.lines.push_back({name(at), family_look(view.lines.size(), members.size()),
+                          as_line_and_points, "median", rows_at(results, table, at, x)});
     if (results.cases.orientations < 2) continue;
     view.lines.back().low = "lowest";
     view.lines.back().high = "highest";

@@ -7,7 +7,6 @@
 #include <cmath>
 
 #include "glissade/core/units.hpp"
-#include "glissade/motion/roof_words.hpp"
 #include "glissade/report/format.hpp"
 #include "text/study_text.hpp"
 
@@ -26,9 +25,10 @@ std::string value_text(double value) {
   return std::isnan(value) ? "drawn" : fmt::format("{:g}", value);
 }
 
-std::string vertical_text(const Case& c) {
+std::string vertical_text(const Case& c, bool of_roof) {
   if (c.vertical == VerticalChoice::none) return "no vertical motion";
-  if (c.vertical_period_s == 0.0) return "vertical motion of the ground";
+  if (c.vertical_period_s == 0.0)
+    return std::string("vertical motion of the ") + (of_roof ? "roof" : "ground");
   return fmt::format("vertical motion, roof period {:g} s", c.vertical_period_s);
 }
 
@@ -87,7 +87,8 @@ std::string label_of(const ConditionGrid& grid, ConditionAxis axis, std::size_t 
     case ConditionAxis::support:
       return support_text(grid.case_at(Condition().with(axis, place)).support);
     case ConditionAxis::vertical:
-      return vertical_text(grid.case_at(Condition().with(axis, place)));
+      return vertical_text(grid.case_at(Condition().with(axis, place)),
+                           grid.results().suites.front().of_roof);
     case ConditionAxis::response_modification:
       return value() == 0.0 ? "elastic building" : "R " + value_text(value());
     case ConditionAxis::mass:
@@ -152,9 +153,11 @@ std::string conditions_text(const Results& results, const Condition& at,
   if (results.suites.front().of_roof)  // the building is in the motions
     left_out.insert(left_out.end(), {ConditionAxis::period, ConditionAxis::mass,
                                      ConditionAxis::response_modification});
-  const std::string text =
-      joined(grid, at, left_out, 1, "friction.mu") + ", friction " + friction_text(results, at);
-  return results.suites.front().of_roof ? in_words_of_roof(text) : text;
+  return joined(grid, at, left_out, 1, "friction.mu") + ", friction " + friction_text(results, at);
+}
+
+const char* over_building_periods(const Results& results) {
+  return results.suites.front().of_roof ? "" : ", the largest over the building periods";
 }
 
 std::string clearance_text(double clearance_m) {

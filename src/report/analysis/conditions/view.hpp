@@ -58,6 +58,8 @@ std::string orientations_text(const Results& results);
 /// ", largest of the orientations": what a required clearance is of. Empty where there is one.
 std::string rule_text(const Results& results);
 std::string range_text(const Results& results, const OrientationRange& range);
+/// ", the largest over the building periods"; of a roof's motions "".
+const char* over_building_periods(const Results& results);
 
 /// mean(at) / mean(of) by orientation; both must be above zero to count. Sorted; may be empty.
 std::vector<double> ratios_by_orientation(const Results& results, const MeanQuestion& question,

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "glissade/motion/peak_names.hpp"
 #include "glissade/report/format.hpp"
 #include "text/study_text.hpp"
 
@@ -23,33 +24,36 @@ std::string suites_text(const Results& results) {
 }  // namespace
 
 Table records_table(const Results& results) {
-  Table table{"records",
-              std::string(results.suites.front().of_roof ? "Roof" : "Ground") + " motions of " +
-                  suites_text(results) +
-                  ". PGA, PGV and PGD are geometric means of the horizontals as recorded, D5-95 "
-                  "the time from 5 to 95 % of the integral of their a^2; factor at unit level is "
-                  "what the record is multiplied by at level 1 (0: depends on the roof); 0 in "
-                  "magnitude, distance and vs30 means not given.",
-              {{"number", "", "No.", ColumnKind::count},
-               text_column("suite", "Suite"),
-               text_column("id", "Record"),
-               text_column("event", "Event"),
-               text_column("station", "Station"),
-               {"magnitude", "", "M"},
-               {"distance", "km", "R, km"},
-               {"vs30", "mps", "Vs30, m/s"},
-               {"suite_scale", "", "Suite factor"},
-               {"factor_at_unit_level", "", "Factor at level 1"},
-               {"pga", "g", "PGA, g"},
-               {"pgv", "mps", "PGV, m/s", ColumnKind::metric},
-               {"pgd", "m", "PGD, m", ColumnKind::metric},
-               {"duration", "s", "D5-95, s"},
-               {"dt", "s", "Step, s"},
-               {"samples", "", "Samples", ColumnKind::count},
-               text_column("has_second", "2nd axis"),
-               text_column("has_vertical", "Vertical"),
-               text_column("processing", "Processing")},
-              {}};
+  const bool of_roof = results.suites.front().of_roof;
+  const PeakNames peak = peak_names(of_roof);
+  Table table{
+      "records",
+      fmt::format("{} motions of {}. {}, {} and {} are geometric means of the horizontals as "
+                  "recorded, D5-95 the time from 5 to 95 % of the integral of their a^2; factor at "
+                  "unit level is what the record is multiplied by at level 1 (0: depends on the "
+                  "roof); 0 in magnitude, distance and vs30 means not given.",
+                  of_roof ? "Roof" : "Ground", suites_text(results), capitalised(peak.acceleration),
+                  peak.velocity, peak.displacement),
+      {{"number", "", "No.", ColumnKind::count},
+       text_column("suite", "Suite"),
+       text_column("id", "Record"),
+       text_column("event", "Event"),
+       text_column("station", "Station"),
+       {"magnitude", "", "M"},
+       {"distance", "km", "R, km"},
+       {"vs30", "mps", "Vs30, m/s"},
+       {"suite_scale", "", "Suite factor"},
+       {"factor_at_unit_level", "", "Factor at level 1"},
+       {"pga", "g", capitalised(peak.acceleration) + std::string(", g")},
+       {"pgv", "mps", capitalised(peak.velocity) + ", m/s", ColumnKind::metric},
+       {"pgd", "m", capitalised(peak.displacement) + ", m", ColumnKind::metric},
+       {"duration", "s", "D5-95, s"},
+       {"dt", "s", "Step, s"},
+       {"samples", "", "Samples", ColumnKind::count},
+       text_column("has_second", "2nd axis"),
+       text_column("has_vertical", "Vertical"),
+       text_column("processing", "Processing")},
+      {}};
   table.is_of_inputs = true;
   const auto yes_no = [](bool value) -> std::string { return value ? "yes" : "no"; };
   for (const RecordSummary& r : results.records) {
@@ -63,7 +67,7 @@ Table records_table(const Results& results) {
   if (std::ranges::all_of(results.records,
                           [](const RecordSummary& r) { return r.processing.empty(); }))
     table = table.without("processing");
-  return results.suites.front().of_roof ? in_words_of_roof(std::move(table)) : table;
+  return table;
 }
 
 Table spectra_table(const Results& results) {
