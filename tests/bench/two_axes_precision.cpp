@@ -124,7 +124,7 @@ struct Trial {
     TrialBatch truth{x.horizontal_mps2, {}, {}};
     const std::vector<Scene> candidates = scenes_of(pair.pga_mps2(), vertical, kind);
     for (const std::size_t i : scattered(candidates.size(), start)) {
-      const TwoAxisResult slip = batch.solve(candidates[i], truth_tolerance).slip;
+      const SlipResult slip = batch.solve(candidates[i], truth_tolerance).slip;
       if (!is_for_trial(slip.peak_displacement_m, slip.uplift)) continue;
       batch.scenes.push_back(candidates[i]);
       truth.truth_m.push_back(slip.peak_displacement_m);
@@ -160,10 +160,10 @@ struct Trial {
             fmt::format("tolerance = 1e-{}", digits),
             [this, tolerance = std::pow(10.0, -digits)](std::size_t b) {
               const Batch& batch = batches[b];
-              std::vector<TwoAxisPeak> peaks(batch.scenes.size());
+              std::vector<BuildingPeak> peaks(batch.scenes.size());
               peak_slip_two_axes(batch.ground, batch.scenes, peaks, tolerance);
               std::vector<double> peaks_m;
-              for (const TwoAxisPeak& peak : peaks) peaks_m.push_back(peak.peak_displacement_m);
+              for (const BuildingPeak& peak : peaks) peaks_m.push_back(peak.peak_displacement_m);
               return peaks_m;
             }};
   }

@@ -25,8 +25,8 @@ struct Sampled {
   std::vector<double> alpha;
 };
 
-inline test::Outcome under(const Sampled& motion, Against against, const Block& block,
-                           const test::Solver& solver) {
+inline SlipPeak under(const Sampled& motion, Against against, const Block& block,
+                      const test::Solver& solver) {
   return solver.solve({.dt_s = motion.dt_s,
                        .horizontal_mps2 = motion.alpha,
                        .horizontal_factor = against == Against::down ? -1.0 : 1.0},
@@ -43,7 +43,7 @@ struct Shaken {
   SteadyState steady() const { return steady_state(motion, sliding()); }
 
   /// After so many half cycles of so many parts a cycle.
-  test::Outcome after(const test::Solver& solver, int half_cycles, int parts) const {
+  SlipPeak after(const test::Solver& solver, int half_cycles, int parts) const {
     const std::vector<double> alpha = motion.alpha(parts, half_cycles);
     RoofAcceleration roof{
         .dt_s = motion.period_s / parts, .horizontal_mps2 = alpha, .horizontal_factor = -1.0};
@@ -56,8 +56,8 @@ struct Shaken {
 
   /// Of one cycle, when the start is forgotten; the end of the record is the same for both.
   double drift_m(const test::Solver& solver, int parts) const {
-    return (after(solver, 160, parts).residual_displacement_m -
-            after(solver, 140, parts).residual_displacement_m) /
+    return (after(solver, 160, parts).residual.along_m -
+            after(solver, 140, parts).residual.along_m) /
            10;
   }
   double sliding_s(const test::Solver& solver, int parts) const {

@@ -60,10 +60,10 @@ std::vector<Case> run_cases(const Motion& motion, std::span<const int> substeps)
     for (const int p : substeps) {
       const SlipResult slip = timed(p <= 16, c.scheme_s.emplace_back(),
                                     [&] { return slide_rodriguez_nikl(roof, block, p); });
-      c.residual_m.push_back(slip.residual_displacement_m);
+      c.residual_m.push_back(slip.residual.along_m);
     }
     const SlipResult exact = timed(true, c.exact_s, [&] { return slide(roof, block); });
-    c.exact_residual_m = exact.residual_displacement_m;
+    c.exact_residual_m = exact.residual.along_m;
     c.exact_peak_m = exact.peak_displacement_m;
   }
   return cases;

@@ -23,8 +23,8 @@ struct ElasticLink {
 /// Where the link's slider went, in plan, downslope positive as in SlipResult; without the
 /// deflection of the springs, which ring on for ever: the link has no damping.
 struct LinkSlip {
-  double peak_displacement_m = 0.0;      ///< max |displacement|
-  double residual_displacement_m = 0.0;  ///< once the slider stays where it is
+  double peak_displacement_m = 0.0;  ///< max |displacement|
+  PlanVector residual;               ///< once the slider stays where it is
 };
 
 /// omega dt of the link's springs at its longest substep; the stepping is stable below 2.

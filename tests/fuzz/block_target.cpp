@@ -99,15 +99,14 @@ fuzz::Rounding rounding_of(const Scene& scene, const SlipResult& r) {
 }
 
 void check_result(const Scene& scene, const SlipResult& r) {
-  for (const double value : {r.peak_displacement_m, r.residual_displacement_m, r.peak_downslope_m,
+  for (const double value : {r.peak_displacement_m, r.residual.along_m, r.peak_downslope_m,
                              r.peak_upslope_m, r.peak_velocity_mps, r.slip_duration_s}) {
     check(std::isfinite(value), "every number is finite");
   }
   check(r.peak_downslope_m >= 0.0 && r.peak_upslope_m >= 0.0, "peaks are not negative");
   check(r.peak_displacement_m == std::max(r.peak_downslope_m, r.peak_upslope_m),
         "the peak is the larger of both sides");
-  check(-r.peak_upslope_m <= r.residual_displacement_m &&
-            r.residual_displacement_m <= r.peak_downslope_m,
+  check(-r.peak_upslope_m <= r.residual.along_m && r.residual.along_m <= r.peak_downslope_m,
         "the residual lies between the peaks");
   check(r.slip_phases <= 4 * (scene.horizontal.size() + 1), "work per sample is bounded");
   check(r.peak_displacement_m == 0.0 || r.slip_phases > 0, "what has not slid has not moved");
@@ -126,7 +125,7 @@ void check_mirror(Scene scene, const SlipResult& r) {
   scene.horizontal_factor *= -1;
   const SlipResult m = slide(scene.roof(), scene.block);
   check(m.peak_downslope_m == r.peak_downslope_m && m.peak_upslope_m == r.peak_upslope_m &&
-            m.residual_displacement_m == r.residual_displacement_m,
+            m.residual.along_m == r.residual.along_m,
         "the mirror image slips the same");
 }
 

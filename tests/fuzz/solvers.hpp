@@ -35,10 +35,10 @@ inline void check_history(const RoofAcceleration& roof, const Block& block,
   std::vector<SlipPoint> history;
   const SlipResult recorded = slide(roof, block, history);
   check(recorded.peak_displacement_m == expected.peak_displacement_m &&
-            recorded.residual_displacement_m == expected.residual_displacement_m &&
+            recorded.residual.along_m == expected.residual.along_m &&
             recorded.slip_phases == expected.slip_phases,
         "recording a history changes nothing");
-  check(history.back().displacement_m == expected.residual_displacement_m,
+  check(history.back().displacement_m == expected.residual.along_m,
         "a history ends at the residual");
   for (std::size_t i = 1; i < history.size(); ++i) {
     check(history[i].time_s >= history[i - 1].time_s, "time does not run backwards");
@@ -49,16 +49,15 @@ inline void check_history(const RoofAcceleration& roof, const Block& block,
 inline void check_other_solvers(const RoofAcceleration& roof, const Block& block,
                                 const SlipResult& expected, const Rounding& rounding) {
   for (const test::Solver& solver : test::solvers()) {
-    const test::Outcome r = solver.solve(roof, block);
+    const SlipPeak r = solver.solve(roof, block);
     const double tolerance_m = rounding.slip_m(expected.peak_displacement_m);
     const auto is_near = [&](double a, double b) { return std::abs(a - b) <= tolerance_m; };
     check(r.peak_displacement_m == std::max(r.peak_downslope_m, r.peak_upslope_m) &&
-              -r.peak_upslope_m <= r.residual_displacement_m &&
-              r.residual_displacement_m <= r.peak_downslope_m,
+              -r.peak_upslope_m <= r.residual.along_m && r.residual.along_m <= r.peak_downslope_m,
           "peaks bound the residual, whatever the solver");
     check(is_near(r.peak_downslope_m, expected.peak_downslope_m) &&
               is_near(r.peak_upslope_m, expected.peak_upslope_m) &&
-              is_near(r.residual_displacement_m, expected.residual_displacement_m),
+              is_near(r.residual.along_m, expected.residual.along_m),
           "solvers agree");
     check(
         std::isfinite(r.slip_duration_s) && r.slip_phases <= 4 * (roof.horizontal_mps2.size() + 1),

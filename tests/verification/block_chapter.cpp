@@ -22,7 +22,7 @@ constexpr double g = standard_gravity_mps2;
 double difference(const SlipResult& r, const Reference& exact) {
   const auto number = [](const test::Real& x) { return static_cast<double>(x); };
   const double size = std::max(number(exact.down), number(exact.up));
-  double worst = std::abs(r.residual_displacement_m - number(exact.slip)) / size;
+  double worst = std::abs(r.residual.along_m - number(exact.slip)) / size;
   worst = worse(worst, std::abs(r.peak_downslope_m - number(exact.down)) / size);
   worst = worse(worst, std::abs(r.peak_upslope_m - number(exact.up)) / size);
   return worse(worst, std::abs(r.peak_velocity_mps / number(exact.peak_velocity) - 1.0));
@@ -89,7 +89,7 @@ std::vector<Case> trapezoidal_pulse() {
         {value, expected, 1e-13});
   };
   return {row("peak slip, m", r.peak_upslope_m, slip),
-          row("residual slip, m", r.residual_displacement_m, -slip),
+          row("residual slip, m", r.residual.along_m, -slip),
           row("time of sliding, s", r.slip_duration_s, rise + plateau + dt + v3 / yield),
           row("peak velocity, m/s", r.peak_velocity_mps, v2 + 0.5 * n * n / -k)};
 }
@@ -122,7 +122,7 @@ Case frictionless() {
   }
   return compare({"no friction, flat roof, one sine of acceleration", "slip at the end, m",
                   "minus the roof's displacement, integrated"},
-                 {slide({dt, a}, {.friction = 0.0}).residual_displacement_m, -u, 1e-13});
+                 {slide({dt, a}, {.friction = 0.0}).residual.along_m, -u, 1e-13});
 }
 
 }  // namespace

@@ -10,16 +10,15 @@ namespace {
 
 bool same(const SlipResult& a, const SlipResult& b) {
   return a.peak_displacement_m == b.peak_displacement_m &&
-         a.residual_displacement_m == b.residual_displacement_m &&
-         a.peak_downslope_m == b.peak_downslope_m && a.peak_upslope_m == b.peak_upslope_m &&
-         a.peak_velocity_mps == b.peak_velocity_mps && a.slip_duration_s == b.slip_duration_s &&
-         a.slip_phases == b.slip_phases;
+         a.residual.along_m == b.residual.along_m && a.peak_downslope_m == b.peak_downslope_m &&
+         a.peak_upslope_m == b.peak_upslope_m && a.peak_velocity_mps == b.peak_velocity_mps &&
+         a.slip_duration_s == b.slip_duration_s && a.slip_phases == b.slip_phases;
 }
 
 /// `b` with lengths scaled by one factor and times by another, both powers of two.
 SlipResult scaled(SlipResult b, double length, double time) {
   for (double* x :
-       {&b.peak_displacement_m, &b.residual_displacement_m, &b.peak_downslope_m, &b.peak_upslope_m})
+       {&b.peak_displacement_m, &b.residual.along_m, &b.peak_downslope_m, &b.peak_upslope_m})
     *x *= length;
   b.peak_velocity_mps *= length / time;
   b.slip_duration_s *= time;
@@ -54,7 +53,7 @@ std::vector<Case> invariants(const Suite& suite) {
         SlipResult reflected = slide({m.dt_s, a, w, -f, f}, mirrored);
         if (slope_deg == 0.0) {  // up and down change places
           std::swap(reflected.peak_downslope_m, reflected.peak_upslope_m);
-          reflected.residual_displacement_m *= -1.0;
+          reflected.residual.along_m *= -1.0;
         }
         mirror += same(reflected, plain) ? 0 : 1;
         field += same(slide({m.dt_s, a, w, 2 * f, 2 * f}, twice_as_heavy), scaled(plain, 2.0, 1.0))
@@ -70,9 +69,8 @@ std::vector<Case> invariants(const Suite& suite) {
         if (plain.peak_displacement_m == 0.0) continue;
         midpoints =
             worse(midpoints, std::abs(fine.peak_displacement_m / plain.peak_displacement_m - 1.0));
-        midpoints = worse(midpoints,
-                          std::abs(fine.residual_displacement_m - plain.residual_displacement_m) /
-                              plain.peak_displacement_m);
+        midpoints = worse(midpoints, std::abs(fine.residual.along_m - plain.residual.along_m) /
+                                         plain.peak_displacement_m);
       }
   const std::string law = "similitude of the equation of motion";
   return {

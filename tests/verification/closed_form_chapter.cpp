@@ -50,7 +50,7 @@ Case single_slip(const std::string& name, const Pulse& pulse, const Block& block
        "residual slip, m", source},
       (down ? 1 : -1) * s.plan * slip(pulse, down ? s.down : s.up), rounding,
       [&](const Solver& solver) {
-        return under({pulse.dt_s, pulse.alpha()}, against, block, solver).residual_displacement_m;
+        return under({pulse.dt_s, pulse.alpha()}, against, block, solver).residual.along_m;
       });
 }
 
@@ -63,7 +63,7 @@ std::vector<Case> two_strokes(const std::string& name, const Cycle& cycle, Block
         {fmt::format("{}, {}, {}", name, described(block), way), "residual slip, m", source}, slip,
         rounding, [&](const Solver& solver) {
           return under({cycle.first.dt_s, cycle.alpha()}, Against::down, block, solver)
-              .residual_displacement_m;
+              .residual.along_m;
         });
   };
   const Case both = row("two-way", expected.down_m - expected.up_m);
@@ -109,7 +109,7 @@ Case half_sine(double eta) {
         return extrapolated(
             [&](int parts) {
               return under({0.8 / parts, pulse.alpha(parts)}, Against::down, sloping, solver)
-                  .residual_displacement_m;
+                  .residual.along_m;
             },
             500);
       });
@@ -196,8 +196,8 @@ std::vector<Case> flat_roof() {
                           "between residuals of 100 and 100.5 cycles, m", "derived in sine.hpp"},
                          2 * rest_beyond_middle(scene.motion, scene.sliding()),
                          [&](const Solver& solver, int parts) {
-                           return scene.after(solver, 201, parts).residual_displacement_m -
-                                  scene.after(solver, 200, parts).residual_displacement_m;
+                           return scene.after(solver, 201, parts).residual.along_m -
+                                  scene.after(solver, 200, parts).residual.along_m;
                          }));
   }
   // Resting or not is decided where a stop and a start fall in one sample interval, so the third

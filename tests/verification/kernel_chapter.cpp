@@ -22,7 +22,7 @@ void for_each_block(Visit visit) {
         visit(Block{.friction = mu, .slope_rad = slope_deg * rad_per_deg}, factor);
 }
 
-double difference(const PeakSlip& r, double down, double up) {
+double difference(const SlipPeak& r, double down, double up) {
   const double size = std::max(down, up);
   return std::max(std::abs(r.peak_downslope_m - down), std::abs(r.peak_upslope_m - up)) / size;
 }
@@ -35,7 +35,7 @@ Case rigid(const Suite& suite, bool vertical) {
     const RoofTable roof(m.dt_s, m.horizontal_mps2[0], up);
     for_each_block([&](const Block& block, double factor) {
       if (block.friction == 0.3) return;  // 50 digits are slow
-      const PeakSlip r = peak_slip(roof, block, {factor, factor});
+      const SlipPeak r = peak_slip(roof, block, {factor, factor});
       if (r.uplift || r.peak_displacement_m < 1e-4) return;
       const test::Reference exact({m.dt_s, m.horizontal_mps2[0], up, factor, factor}, block);
       worst = worse(worst,
@@ -81,8 +81,8 @@ Case every_interval(const Suite& suite) {
           tabulate_roof({m.dt_s, m.horizontal_mps2[1], m.vertical_mps2},
                         {.horizontal = {period_s, 0.05}}, {.quiet_horizontal_mps2 = 0.1});
       for_each_block([&](const Block& block, double factor) {
-        const PeakSlip one = peak_slip(roof, block, {factor, factor});
-        const PeakSlip other =
+        const SlipPeak one = peak_slip(roof, block, {factor, factor});
+        const SlipPeak other =
             peak_slip(roof, block, {factor, factor}, EventSearch::every_interval);
         ++cases;
         differing += one.peak_downslope_m == other.peak_downslope_m &&

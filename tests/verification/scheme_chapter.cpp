@@ -32,9 +32,8 @@ std::vector<Errors> errors_by_substeps(const Suite& suite) {
           const SlipResult exact = slide(roof, block);
           if (exact.peak_displacement_m == 0.0) continue;
           const SlipResult stepped = slide_rodriguez_nikl(roof, block, substeps);
-          relative.push_back(
-              std::abs(stepped.residual_displacement_m - exact.residual_displacement_m) /
-              exact.peak_displacement_m);
+          relative.push_back(std::abs(stepped.residual.along_m - exact.residual.along_m) /
+                             exact.peak_displacement_m);
         }
     std::ranges::sort(relative);
     errors.push_back({substeps, relative[relative.size() / 2], relative.back()});

@@ -41,7 +41,7 @@ void require_finite_scene(const BiaxialBuilding& building, const TwoAxisBlock& b
                           const BuildingFactors& factors);
 
 struct BuildingSlip {
-  TwoAxisResult slip;
+  SlipResult slip;
   // By the axes of the building:
   std::array<double, 2> peak_base_shear{};           ///< max |damping + spring force| / (M g), per
                                                      ///< weight of the building alone; with the

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <cstddef>
 #include <span>
 
 #include "glissade/block/crossing.hpp"
@@ -13,18 +12,6 @@ namespace glissade {
 /// Factors on the components of the roof motion.
 struct MotionFactors {
   double horizontal = 1.0, vertical = 1.0;
-};
-
-/// SlipResult without the quantities that require a step through every sample.
-struct PeakSlip {
-  double peak_displacement_m = 0.0;      ///< max |displacement|, in plan as all of these
-  double residual_displacement_m = 0.0;  ///< signed, when the block has come to rest
-  double peak_downslope_m = 0.0;         ///< >= 0
-  double peak_upslope_m = 0.0;           ///< >= 0
-  double slip_duration_s = 0.0;
-  std::size_t slip_phases = 0;
-  bool uplift = false;        ///< see SlipResult
-  bool free_sliding = false;  ///< see SlipResult
 };
 
 /// Search for events in the kernel; both give the same bits.
@@ -46,14 +33,14 @@ enum class EventSearch {
 ///
 /// The same bits on every SIMD target. If factors and gravity are multiplied by a number, so is the
 /// slip, exactly.
-PeakSlip peak_slip(const RoofTable& roof, const Block& block, const MotionFactors& factors = {},
+SlipPeak peak_slip(const RoofTable& roof, const Block& block, const MotionFactors& factors = {},
                    EventSearch search = EventSearch::bounds);
 
 /// The same, to the last bit, with the first crossing of each threshold: in a phase that passes a
 /// threshold, the interval between nodes is found by bisection, and the root in it to rounding. As
 /// exact as slide() on a rigid roof; on an oscillator the slip has an error of 1e-6 of the peak, as
 /// the peak has. See slide() for the parameters and the definition of a crossing.
-PeakSlip peak_slip(const RoofTable& roof, const Block& block, const MotionFactors& factors,
+SlipPeak peak_slip(const RoofTable& roof, const Block& block, const MotionFactors& factors,
                    std::span<const double> thresholds_m, std::span<Crossing> crossings,
                    EventSearch search = EventSearch::bounds);
 

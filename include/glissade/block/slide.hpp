@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <cstddef>
 #include <span>
 #include <vector>
 
 #include "glissade/block/crossing.hpp"
 #include "glissade/block/friction_law.hpp"
+#include "glissade/block/slip_result.hpp"
 #include "glissade/core/units.hpp"
 
 namespace glissade {
@@ -32,22 +32,6 @@ struct RoofAcceleration {
   std::span<const double> vertical_mps2 = {};  ///< up; empty: none; else as long as the horizontal
   double horizontal_factor = 1.0;
   double vertical_factor = 1.0;
-};
-
-/// Result of a history. Displacement and velocity of the block relative to the roof, in plan (slip
-/// along the slope times cos(slope)); positive downslope, on a flat roof toward +x.
-struct SlipResult {
-  double peak_displacement_m = 0.0;      ///< max |displacement|
-  double residual_displacement_m = 0.0;  ///< signed, when the block has come to rest
-  double peak_downslope_m = 0.0;         ///< >= 0
-  double peak_upslope_m = 0.0;           ///< >= 0
-  double peak_velocity_mps = 0.0;        ///< max |velocity|
-  double slip_duration_s = 0.0;          ///< time spent sliding
-  std::size_t slip_phases = 0;           ///< intervals of sliding in one direction
-  bool uplift = false;  ///< the normal force was negative: outside the model; friction is then
-                        ///< taken as zero
-  bool free_sliding = false;  ///< friction cannot stop it: tan(slope) > mu, or equal and moving;
-                              ///< displacements are those at the last sample
 };
 
 /// The sliding block from rest, event by event. Within a sample interval the acceleration is

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "glissade/block/friction_law.hpp"
+#include "glissade/block/slip_result.hpp"
 #include "glissade/core/units.hpp"
 
 namespace glissade {
@@ -38,31 +39,6 @@ struct TwoAxisAcceleration {
   double vertical_factor = 1.0;
 };
 
-/// A vector in plan, in the axes of the slope.
-struct PlanVector {
-  double along_m = 0.0;   ///< positive in the direction in which the surface falls
-  double across_m = 0.0;  ///< positive at 90 degrees from that, from the first axis to the second
-};
-
-/// Result of a history: displacement and velocity of the block relative to the roof, in plan.
-struct TwoAxisResult {
-  double peak_displacement_m = 0.0;  ///< largest length of the displacement vector
-  PlanVector peak_by_axis;           ///< largest |displacement| along each axis, at any time
-  double peak_downslope_m = 0.0;     ///< >= 0
-  double peak_upslope_m = 0.0;       ///< >= 0
-  PlanVector residual;               ///< signed, when the block has come to rest
-  double path_length_m = 0.0;
-  double peak_velocity_mps = 0.0;  ///< largest length of the velocity vector
-  double slip_duration_s = 0.0;    ///< time spent sliding
-  std::size_t slip_phases = 0;     ///< intervals of sliding from rest to rest
-  bool uplift = false;             ///< see SlipResult
-  bool free_sliding = false;       ///< see SlipResult
-};
-
-/// The SRSS of the separate maxima of the two axes: the displacement of a history by Walters et al.
-/// (2012). Not less than the peak of the vector, and at most sqrt(2) times that.
-double srss_of_maxima_m(const TwoAxisResult& result);
-
 /// The sliding block on two axes, from rest. With the slip (s, y) in the plane of the roof, s down
 /// the slope, and v = (s', y') (theory.md, 3.1):
 ///   N/m = (g + w) cos(slope) + a_s sin(slope)
@@ -94,8 +70,8 @@ double srss_of_maxima_m(const TwoAxisResult& result);
 ///
 /// @param tolerance permitted error of the velocity for each step, relative to the largest speed so
 ///   far; in [1e-11, 1e-2]. The error of displacements is measured in on_building.hpp.
-TwoAxisResult slide_two_axis(const TwoAxisAcceleration& roof, const TwoAxisBlock& block,
-                             double tolerance = 1e-6);
+SlipResult slide_two_axis(const TwoAxisAcceleration& roof, const TwoAxisBlock& block,
+                          double tolerance = 1e-6);
 
 /// A point of a history: at each start, step and stop.
 struct TwoAxisPoint {
@@ -104,7 +80,7 @@ struct TwoAxisPoint {
 };
 
 /// The same, with the history.
-TwoAxisResult slide_two_axis(const TwoAxisAcceleration& roof, const TwoAxisBlock& block,
-                             std::vector<TwoAxisPoint>& history, double tolerance = 1e-6);
+SlipResult slide_two_axis(const TwoAxisAcceleration& roof, const TwoAxisBlock& block,
+                          std::vector<TwoAxisPoint>& history, double tolerance = 1e-6);
 
 }  // namespace glissade

@@ -16,21 +16,11 @@ struct TwoAxisScene {
   bool base_shear = false;  ///< wanted; the other results have the same bits without it
 };
 
-/// TwoAxisResult without path, speed and duration.
-struct TwoAxisPeak {
-  double peak_displacement_m = 0.0;
-  PlanVector peak_by_axis;
-  double peak_downslope_m = 0.0;
-  double peak_upslope_m = 0.0;
-  PlanVector residual;
-  std::size_t slip_phases = 0;
-  bool uplift = false;
-  bool free_sliding = false;
+/// The result of one.
+struct BuildingPeak : SlipPeak {
   std::array<double, 2> base_shear{};  ///< BuildingSlip::peak_base_shear, where it is wanted
   bool failed = false;                 ///< slide_on_building() did not converge: the rest is zero
 };
-
-double srss_of_maxima_m(const TwoAxisPeak& peak);
 
 /// slide_on_building() for many histories under one ground motion, side by side in SIMD lanes: a
 /// history that slides is in a lane, each lane at its own time. A step is the Taylor series of the
@@ -74,7 +64,7 @@ class TwoAxisLanes {
 
   /// @param peaks as many as scenes
   /// @param crossings for each scene as many as thresholds
-  void slide(std::span<const TwoAxisScene> scenes, std::span<TwoAxisPeak> peaks,
+  void slide(std::span<const TwoAxisScene> scenes, std::span<BuildingPeak> peaks,
              std::span<const double> thresholds_m = {}, std::span<Crossing> crossings = {});
 
  private:
@@ -84,6 +74,6 @@ class TwoAxisLanes {
 
 /// All of a motion's at once.
 void peak_slip_two_axes(const BuildingGround& ground, std::span<const TwoAxisScene> scenes,
-                        std::span<TwoAxisPeak> peaks, double tolerance = 1e-6);
+                        std::span<BuildingPeak> peaks, double tolerance = 1e-6);
 
 }  // namespace glissade

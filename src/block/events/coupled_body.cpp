@@ -128,6 +128,7 @@ void CoupledBody::pass(const GroundPiece& ground, const RoofMotionSeries& roof,
     if (slip.speed.bound() > peak) peak = std::max(peak, highest(slip.speed, fraction));
     const double begin = slip_;
     slip_ += direction_ * std::max(slip.speed.integral(ground.length_s, 0.0).at(fraction), 0.0);
+    result_.slip.path_length_m += std::abs(slip_ - begin);
     if (crossings_.reached(slip_))
       crossings_.follow({direction_, begin, slip_, time_}, slip.speed, ground.length_s, fraction,
                         next.event == Event::stops);
@@ -212,6 +213,7 @@ void CoupledBody::coast() {
   if (direction_ == 0 || !(deceleration > 0.0)) return;
   const double begin = slip_;
   slip_ += direction_ * 0.5 * speed_ * speed_ / deceleration;
+  result_.slip.path_length_m += std::abs(slip_ - begin);
   crossings_.follow_to_rest({direction_, begin, slip_, time_}, speed_, deceleration);
   result_.slip.slip_duration_s += speed_ / deceleration;
   time_ += speed_ / deceleration;
@@ -241,10 +243,9 @@ double CoupledBody::largest_acceleration_to_come_mps2() const {
 CoupledResult CoupledBody::result() const {
   CoupledResult r = result_;
   const double cosine = contact_.cos_slope();
-  r.slip.peak_downslope_m = std::max(farthest_down_, slip_) * cosine;
-  r.slip.peak_upslope_m = -std::min(farthest_up_, slip_) * cosine + 0.0;  // no negative zero
-  r.slip.peak_displacement_m = std::max(r.slip.peak_downslope_m, r.slip.peak_upslope_m);
-  r.slip.residual_displacement_m = slip_ * cosine;
+  set_peaks(std::max(farthest_down_, slip_) * cosine, std::min(farthest_up_, slip_) * cosine,
+            slip_ * cosine, r.slip);
+  r.slip.path_length_m *= cosine;
   r.slip.peak_velocity_mps *= cosine;
   r.peak_base_shear = peak_resisting_mps2_ / contact_.gravity();
   r.ductility = peak_x_mps2_ / spring_.limit();

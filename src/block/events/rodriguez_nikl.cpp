@@ -77,10 +77,8 @@ class SteppedBlock {
 
   SlipResult result() const {
     SlipResult r;
-    r.peak_downslope_m = farthest_down_;
-    r.peak_upslope_m = -farthest_up_ + 0.0;
-    r.peak_displacement_m = std::max(farthest_down_, -farthest_up_);
-    r.residual_displacement_m = position_x_ - position_p_;
+    block_detail::set_peaks(farthest_down_, farthest_up_, position_x_ - position_p_, r);
+    r.path_length_m = path_;
     r.peak_velocity_mps = peak_velocity_;
     r.slip_duration_s = duration_;
     r.slip_phases = phases_;
@@ -91,6 +89,8 @@ class SteppedBlock {
  private:
   void note_peaks() {
     const double slip = position_x_ - position_p_;
+    path_ += std::abs(slip - slip_);
+    slip_ = slip;
     farthest_down_ = std::max(farthest_down_, slip);
     farthest_up_ = std::min(farthest_up_, slip);
   }
@@ -99,6 +99,7 @@ class SteppedBlock {
   bool one_way_;
   double velocity_x_ = 0.0, velocity_p_ = 0.0, position_x_ = 0.0, position_p_ = 0.0;  // eq 19
   double previous_relative_ = 0.0, phase_ = 0.0;
+  double slip_ = 0.0, path_ = 0.0;
   double farthest_down_ = 0.0, farthest_up_ = 0.0, peak_velocity_ = 0.0, duration_ = 0.0;
   std::size_t phases_ = 0;
   bool sticking_ = true, uplift_ = false;

@@ -35,9 +35,8 @@ class SlidingBlock {
     direction_ = direction;
     ++phases_;
   }
-  /// @param distance below zero, by rounding, is none: as in slide_for()
   void slid(double distance, double duration, double end_speed) {
-    slip_ += direction_ * std::max(distance, 0.0);
+    pass_over(distance);
     duration_ += duration;
     speed_ = end_speed;
   }
@@ -128,10 +127,9 @@ class SlidingBlock {
 
   SlipResult result(double cos_slope) const {
     SlipResult r;
-    r.peak_downslope_m = std::max(farthest_down_, slip_) * cos_slope;
-    r.peak_upslope_m = -std::min(farthest_up_, slip_) * cos_slope + 0.0;  // + 0: no negative zero
-    r.peak_displacement_m = std::max(r.peak_downslope_m, r.peak_upslope_m);
-    r.residual_displacement_m = slip_ * cos_slope;
+    set_peaks(std::max(farthest_down_, slip_) * cos_slope,
+              std::min(farthest_up_, slip_) * cos_slope, slip_ * cos_slope, r);
+    r.path_length_m = path_ * cos_slope;
     r.peak_velocity_mps = peak_speed_ * cos_slope;
     r.slip_duration_s = duration_;
     r.slip_phases = phases_;
@@ -175,15 +173,20 @@ class SlidingBlock {
     const double fastest = drive.value > 0.0 && end_drive < 0.0
                                ? speed_ - 0.5 * drive.value * drive.value / drive.rate
                                : std::max(speed_, end_speed);
-    // Where the numbers are so small that their squares vanish, it would come out below zero.
     const double distance = t * (speed_ + t * (0.5 * drive.value + drive.rate * t / 6.0));
     const SlideState from = state();
-    slip_ += direction_ * std::max(distance, 0.0);
+    pass_over(distance);
     peak_speed_ = std::max(peak_speed_, fastest);
     speed_ = std::max(end_speed, 0.0);
     duration_ += t;
     pass(t);
     history_.slides(from, drive, t, state());
+  }
+
+  /// Where the numbers are so small that their squares vanish, a distance may come out below zero.
+  void pass_over(double distance) {
+    slip_ += direction_ * std::max(distance, 0.0);
+    path_ += std::max(distance, 0.0);
   }
 
   SlideState state() const { return {time_, slip_, speed_, direction_}; }
@@ -203,7 +206,7 @@ class SlidingBlock {
   double speed_ = 0.0;  // |v| along the slope
   double slip_ = 0.0;   // along the slope, down positive
   double time_ = 0.0, piece_end_ = 0.0;
-  double farthest_down_ = 0.0, farthest_up_ = 0.0, peak_speed_ = 0.0, duration_ = 0.0;
+  double farthest_down_ = 0.0, farthest_up_ = 0.0, path_ = 0.0, peak_speed_ = 0.0, duration_ = 0.0;
   std::size_t phases_ = 0;
   bool uplift_ = false;
 };

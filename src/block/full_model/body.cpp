@@ -147,8 +147,8 @@ bool FullModelBody::is_settled() const {
   return contact_.friction_at_rest().may_rest(worst);
 }
 
-TwoAxisResult FullModelBody::result() const {
-  TwoAxisResult r = track_.result();
+SlipResult FullModelBody::result() const {
+  SlipResult r = track_.result();
   r.slip_phases = phases_;
   r.uplift = uplift_;
   r.free_sliding = slides_at_rest_ || sliding_;

@@ -21,7 +21,7 @@ class FullModelBody {
   /// The whole history, from rest: the record, and the ring-down of the building.
   void follow(const Excitation& excitation, double longest_period_s);
 
-  TwoAxisResult result() const;
+  SlipResult result() const;
   /// Largest |base shear| over the building's mass, and |x| of the roof (AxisSeries::roof_x).
   struct Peaks {
     Axes shear{}, x{};

@@ -124,8 +124,8 @@ void check(const TwoAxisAcceleration& roof, [[maybe_unused]] const TwoAxisBlock&
   GLISSADE_EXPECTS(block.law.is_coulomb());
 }
 
-TwoAxisResult slide_with(const TwoAxisAcceleration& roof, const TwoAxisBlock& block,
-                         double tolerance, std::vector<PathPiece>* path) {
+SlipResult slide_with(const TwoAxisAcceleration& roof, const TwoAxisBlock& block, double tolerance,
+                      std::vector<PathPiece>* path) {
   check(roof, block);
   require_tolerance(tolerance, 1e-11);
   const BuildingContact contact(block);
@@ -201,19 +201,15 @@ PlanVector closing_on_building(const BuildingGround& ground, const BuildingFacto
   return {lead.s, lead.y};
 }
 
-double srss_of_maxima_m(const TwoAxisResult& result) {
-  return std::hypot(result.peak_by_axis.along_m, result.peak_by_axis.across_m);
-}
-
-TwoAxisResult slide_two_axis(const TwoAxisAcceleration& roof, const TwoAxisBlock& block,
-                             double tolerance) {
+SlipResult slide_two_axis(const TwoAxisAcceleration& roof, const TwoAxisBlock& block,
+                          double tolerance) {
   return slide_with(roof, block, tolerance, nullptr);
 }
 
-TwoAxisResult slide_two_axis(const TwoAxisAcceleration& roof, const TwoAxisBlock& block,
-                             std::vector<TwoAxisPoint>& history, double tolerance) {
+SlipResult slide_two_axis(const TwoAxisAcceleration& roof, const TwoAxisBlock& block,
+                          std::vector<TwoAxisPoint>& history, double tolerance) {
   std::vector<PathPiece> path;
-  const TwoAxisResult result = slide_with(roof, block, tolerance, &path);
+  const SlipResult result = slide_with(roof, block, tolerance, &path);
   history.assign(1, TwoAxisPoint{});
   const auto add = [&](double time_s, block_detail::Vector d) {
     history.push_back({time_s, {d.s, d.y}});

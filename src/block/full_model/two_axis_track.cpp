@@ -50,9 +50,8 @@ bool TwoAxisTrack::is_wanted(double path_length) const {
                                                     path_length * std::max(to_plan_.s, to_plan_.y));
 }
 
-TwoAxisResult TwoAxisTrack::result() const {
-  TwoAxisResult r;
-  r.peak_displacement_m = extremes_.displacement();
+SlipResult TwoAxisTrack::result() const {
+  SlipResult r;
   set_peaks(extremes_, r);
   r.residual = {displacement_.s, displacement_.y};
   r.path_length_m = path_length_;

@@ -32,8 +32,8 @@ class TwoAxisTrack {
   void stop(const Stop& stop, double speed, double begin_s);
   /// Whether a path of this length must be resolved: it is kept, or may reach a threshold.
   bool is_wanted(double path_length) const;
-  /// In TwoAxisResult: all but phases and flags.
-  TwoAxisResult result() const;
+  /// In SlipResult: all but phases and flags.
+  SlipResult result() const;
 
  private:
   Vector to_plan_;

@@ -50,11 +50,12 @@ double Path::path_length() const {
   return length_s / 6.0 * (length(v[0]) + 4.0 * length(middle) + length(v[3]));
 }
 
-void set_peaks(const Extremes& extremes, TwoAxisResult& result) {
+void set_peaks(const Extremes& extremes, SlipPeak& slip) {
   const Vector ahead = extremes.ahead(), back = extremes.back();
-  result.peak_downslope_m = ahead.s;
-  result.peak_upslope_m = back.s;
-  result.peak_by_axis = {std::max(ahead.s, back.s), std::max(ahead.y, back.y)};
+  slip.peak_displacement_m = extremes.displacement();
+  slip.peak_by_axis = {std::max(ahead.s, back.s), std::max(ahead.y, back.y)};
+  slip.peak_downslope_m = ahead.s;
+  slip.peak_upslope_m = back.s;
 }
 
 void Extremes::at(Vector displacement) {

@@ -5,7 +5,7 @@
 #include <array>
 
 #include "block/contact/plane_vector.hpp"
-#include "glissade/block/two_axis.hpp"
+#include "glissade/block/slip_result.hpp"
 #include "glissade/core/hull_maximum.hpp"
 
 namespace glissade::block_detail {
@@ -52,7 +52,6 @@ class Extremes {
   Vector ahead_, back_;
 };
 
-/// Peaks by axis and direction.
-void set_peaks(const Extremes& extremes, TwoAxisResult& result);
+void set_peaks(const Extremes& extremes, SlipPeak& slip);
 
 }  // namespace glissade::block_detail

@@ -5,7 +5,7 @@
 
 namespace glissade {
 
-PeakSlip peak_slip(const RoofTable& roof, const Block& block, const MotionFactors& factors,
+SlipPeak peak_slip(const RoofTable& roof, const Block& block, const MotionFactors& factors,
                    EventSearch search) {
   return block_detail::walk_events(roof, block, factors, search, block_detail::NoHistory{});
 }

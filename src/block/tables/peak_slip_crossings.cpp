@@ -6,7 +6,7 @@
 
 namespace glissade {
 
-PeakSlip peak_slip(const RoofTable& roof, const Block& block, const MotionFactors& factors,
+SlipPeak peak_slip(const RoofTable& roof, const Block& block, const MotionFactors& factors,
                    std::span<const double> thresholds_m, std::span<Crossing> crossings,
                    EventSearch search) {
   block_detail::CrossingWatch watch(thresholds_m, crossings, std::cos(block.slope_rad),

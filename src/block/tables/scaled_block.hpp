@@ -36,15 +36,11 @@ struct Scaled {
   }
 };
 
-inline PeakSlip in_metres(const SlipResult& r, double factor) {
-  return {.peak_displacement_m = factor * r.peak_displacement_m,
-          .residual_displacement_m = factor * r.residual_displacement_m,
-          .peak_downslope_m = factor * r.peak_downslope_m,
-          .peak_upslope_m = factor * r.peak_upslope_m,
-          .slip_duration_s = r.slip_duration_s,
-          .slip_phases = r.slip_phases,
-          .uplift = r.uplift,
-          .free_sliding = r.free_sliding};
+inline SlipPeak in_metres(SlipPeak slip, double factor) {
+  for (double* length : {&slip.peak_displacement_m, &slip.peak_by_axis.along_m,
+                         &slip.peak_downslope_m, &slip.peak_upslope_m, &slip.residual.along_m})
+    *length *= factor;
+  return slip;
 }
 
 }  // namespace glissade::block_detail

@@ -39,7 +39,7 @@ class TableKernel {
         history_(history),
         body_(contact_, scene.block.directions, history) {}
 
-  SlipResult run() {
+  SlipPeak run() {
     for (std::size_t i = 0; i < last_;) {
       if (body_.direction() == 0 && !every_interval_) i = bounds_.next_exit(i);
       if (i < last_) i = may_lift_in(i) ? lifted(i) : events(i);
@@ -53,7 +53,7 @@ class TableKernel {
       if (end.a != 0.0 || end.w != 0.0) body_.interval(step_s_, time(last_ + 1), end, Roof{});
       stops = body_.coast(step_s_);
     }
-    SlipResult result = body_.result(contact_.cos_slope());
+    SlipPeak result = body_.result(contact_.cos_slope());
     result.uplift = result.uplift || lifted_at_end;
     result.free_sliding = !stops;
     return result;
@@ -275,7 +275,7 @@ std::size_t TableKernel<Piece, History>::lifted(std::size_t i) {
 
 /// peak_slip() with a history that records the events.
 template <class History>
-PeakSlip walk_events(const RoofTable& roof, const Block& block, const MotionFactors& factors,
+SlipPeak walk_events(const RoofTable& roof, const Block& block, const MotionFactors& factors,
                      EventSearch search, const History& history) {
   require_block(block);
   require_acceleration({factors.horizontal, factors.vertical}, "the factors");

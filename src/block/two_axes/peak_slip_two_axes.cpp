@@ -18,12 +18,6 @@ namespace two_axes = block_detail::two_axes;
 
 struct TwoAxisLanes::State : two_axes::UnderMotion {};
 
-double srss_of_maxima_m(const TwoAxisPeak& peak) {
-  TwoAxisResult r;
-  r.peak_by_axis = peak.peak_by_axis;
-  return srss_of_maxima_m(r);
-}
-
 TwoAxisLanes::TwoAxisLanes(const BuildingGround& ground, double tolerance)
     : state_(std::make_unique<State>(State{{ground, tolerance}})) {
   require_tolerance(tolerance, 1e-9);
@@ -33,7 +27,7 @@ TwoAxisLanes::~TwoAxisLanes() = default;
 
 const BuildingGround& TwoAxisLanes::ground() const { return state_->ground; }
 
-void TwoAxisLanes::slide(std::span<const TwoAxisScene> scenes, std::span<TwoAxisPeak> peaks,
+void TwoAxisLanes::slide(std::span<const TwoAxisScene> scenes, std::span<BuildingPeak> peaks,
                          std::span<const double> thresholds_m, std::span<Crossing> crossings) {
   GLISSADE_EXPECTS(scenes.size() == peaks.size());
   GLISSADE_EXPECTS(crossings.size() == scenes.size() * thresholds_m.size());
@@ -65,7 +59,7 @@ void TwoAxisLanes::slide(std::span<const TwoAxisScene> scenes, std::span<TwoAxis
 }
 
 void peak_slip_two_axes(const BuildingGround& ground, std::span<const TwoAxisScene> scenes,
-                        std::span<TwoAxisPeak> peaks, double tolerance) {
+                        std::span<BuildingPeak> peaks, double tolerance) {
   TwoAxisLanes(ground, tolerance).slide(scenes, peaks);
 }
 

@@ -147,26 +147,27 @@ Json components_json(const std::vector<ReadComponent>& components) {
 }
 
 /// What is printed as a table, and is in JSON.
-std::vector<Finding> findings_of(const SlideHistory& h) {
+std::vector<Finding> findings_of(const SlideHistory& h, bool two_axes) {
   const auto length = [](const char* key, const char* label, double value) {
     return Finding{key, label, value, {}, "m"};
   };
   const SlipResult& r = h.slip;
   std::vector<Finding> all{length("peak_displacement_m", "peak", r.peak_displacement_m)};
-  if (h.plane) {
-    const TwoAxisResult& p = *h.plane;
+  if (two_axes) {
     for (const Finding& f :
-         {length("peak_x_m", "largest along the slope", p.peak_by_axis.along_m),
-          length("peak_y_m", "largest across the slope", p.peak_by_axis.across_m),
-          length("srss_m", "SRSS of these two", srss_of_maxima_m(p)),
-          length("peak_vector_m", "", p.peak_displacement_m),
-          length("residual_x_m", "residual along the slope", p.residual.along_m),
-          length("residual_y_m", "residual across the slope", p.residual.across_m),
-          length("path_length_m", "path", p.path_length_m)})
+         {length("peak_x_m", "largest along the slope", r.peak_by_axis.along_m),
+          length("peak_y_m", "largest across the slope", r.peak_by_axis.across_m),
+          length("srss_m", "SRSS of these two", srss_of_maxima_m(r)),
+          length("peak_vector_m", "", r.peak_displacement_m),
+          length("residual_x_m", "residual along the slope", r.residual.along_m),
+          length("residual_y_m", "residual across the slope", r.residual.across_m),
+          length("path_length_m", "path", r.path_length_m)})
       all.push_back(f);
   }
-  const char* residual = h.plane ? "" : "residual";
-  for (const Finding& f : {length("residual_displacement_m", residual, r.residual_displacement_m),
+  const char* residual = two_axes ? "" : "residual";
+  const double residual_m =
+      two_axes ? std::hypot(r.residual.along_m, r.residual.across_m) : r.residual.along_m;
+  for (const Finding& f : {length("residual_displacement_m", residual, residual_m),
                            length("peak_downslope_m", "downslope", r.peak_downslope_m),
                            length("peak_upslope_m", "upslope", r.peak_upslope_m)})
     all.push_back(f);
@@ -178,7 +179,7 @@ std::vector<Finding> findings_of(const SlideHistory& h) {
 Json to_json(const SlideOptions& o, const SlideHistory& h, const ReadMotion& read, double factor,
              double pga_g) {
   const Motion& motion = read.motion;
-  Json json = cli::to_json(findings_of(h));
+  Json json = cli::to_json(findings_of(h, o.two_axes()));
   json.update({{"slip_phases", h.slip.slip_phases},
                {"uplift", h.slip.uplift},
                {"free_sliding", h.slip.free_sliding},
@@ -194,7 +195,7 @@ Json to_json(const SlideOptions& o, const SlideHistory& h, const ReadMotion& rea
                {"method", o.method}});
   if (!o.building().is_one_mass()) json["alpha"] = o.c.alpha;
   if (h.ppa_g) json["ppa_g"] = *h.ppa_g;
-  if (h.plane) {
+  if (o.two_axes()) {
     json["mu_across"] = o.c.friction_across;
     json["azimuth_deg"] = o.c.azimuth_deg;
   }
@@ -271,7 +272,7 @@ void print_text(const SlideOptions& o, const SlideHistory& h, const ReadMotion& 
   put("Model: {}\n", model_of(o));
   put("{}", to_text(to_table("Displacement relative to the roof, in plan (downslope "
                              "positive; flat roof: +x)",
-                             findings_of(h))));
+                             findings_of(h, o.two_axes()))));
   put("  slides in {} phases\n", r.slip_phases);
   print_building(h);
   if (h.crossing) {

@@ -137,7 +137,7 @@ SlideHistory on_known_roof(const SlideOptions& o, const Motion& motion, double f
   } else {
     std::vector<SlipPoint> points;
     h.slip = slide(roof, block, points);
-    if (std::isfinite(h.slip.residual_displacement_m)) write_history(o.history, roof, points);
+    if (std::isfinite(h.slip.residual.along_m)) write_history(o.history, roof, points);
   }
   if (o.clearance_m) slide(roof, block, {&*o.clearance_m, 1}, {&h.crossing.emplace(), 1});
   h.ppa_g = factor * roof_table.peak_horizontal_mps2 / standard_gravity_mps2;
@@ -167,7 +167,7 @@ SlideHistory on_coupled_building(const SlideOptions& o, const Motion& motion, do
   const CoupledResult r = o.history.empty()
                               ? slide_coupled(ground, factors, building, block)
                               : slide_coupled(ground, factors, building, block, points);
-  if (!o.history.empty() && std::isfinite(r.slip.residual_displacement_m)) {
+  if (!o.history.empty() && std::isfinite(r.slip.residual.along_m)) {
     Table table = history_table();
     for (const CoupledPoint& p : points)
       table.add({p.time_s, p.roof_acceleration_mps2, p.displacement_m, p.velocity_mps});
@@ -201,18 +201,8 @@ SlideHistory in_full_model(const SlideOptions& o, const Motion& motion, double f
       o.clearance_m ? std::span<Crossing>(&h.crossing.emplace(), 1) : std::span<Crossing>();
   const BuildingSlip r =
       slide_on_building(ground, {{factor, factor}, factor}, building, block, thresholds, crossings);
-  const TwoAxisResult& t = r.slip;
-  h.slip.peak_displacement_m = t.peak_displacement_m;
-  h.slip.residual_displacement_m = std::hypot(t.residual.along_m, t.residual.across_m);
-  h.slip.peak_downslope_m = t.peak_downslope_m;
-  h.slip.peak_upslope_m = t.peak_upslope_m;
-  h.slip.peak_velocity_mps = t.peak_velocity_mps;
-  h.slip.slip_duration_s = t.slip_duration_s;
-  h.slip.slip_phases = t.slip_phases;
-  h.slip.uplift = t.uplift;
-  h.slip.free_sliding = t.free_sliding;
-  if (o.two_axes()) h.plane = t;
-  if (!o.history.empty() && std::isfinite(h.slip.residual_displacement_m))
+  h.slip = r.slip;
+  if (!o.history.empty() && std::isfinite(h.slip.residual.along_m))
     write_plane_history(o.history, motion, factor, block);
   if (o.c.period_s > 0.0) {
     const std::size_t axes = o.two_axes() ? 2 : 1;

@@ -13,9 +13,8 @@ namespace glissade::cli {
 
 /// What one history did, whichever kernel computed it.
 struct SlideHistory {
-  SlipResult slip;  ///< on two axes the peak is the longest vector, and the rest is along the slope
-  std::optional<TwoAxisResult> plane;  ///< on two axes
-  std::optional<double> ppa_g;         ///< where the roof's motion does not depend on the block
+  SlipResult slip;
+  std::optional<double> ppa_g;  ///< where the roof's motion does not depend on the block
   std::vector<double> peak_base_shear, peak_roof_displacement_m;  ///< by axis of a coupled or
                                                                   ///< yielding building
   std::optional<Crossing> crossing;                               ///< of --clearance-m

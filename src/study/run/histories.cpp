@@ -112,7 +112,7 @@ class TableHistories : public Histories {
     if (!scene_.skips) remake_();
     const EventSearch search = scene_.skips ? EventSearch::bounds : EventSearch::every_interval;
     const MotionFactors factors{sign_ * factor, factor};
-    const PeakSlip slip = crossings.empty() ? peak_slip(roof_.table, scene_.block, factors, search)
+    const SlipPeak slip = crossings.empty() ? peak_slip(roof_.table, scene_.block, factors, search)
                                             : peak_slip(roof_.table, scene_.block, factors,
                                                         scene_.thresholds_m(), crossings, search);
     return {.peak_displacement_m = slip.peak_displacement_m, .uplift = slip.uplift};
@@ -187,7 +187,7 @@ class CoupledHistories : public Histories {
     return {{scene_.axis_factor(0, level), scene_.axis_factor(1, level)}, scene_.factor(level)};
   }
 
-  History history(const TwoAxisPeak& slip) const {
+  History history(const BuildingPeak& slip) const {
     const bool srss = scene_.plan.config.model.displacement == DisplacementMeasure::srss;
     return {.peak_displacement_m = srss ? srss_of_maxima_m(slip) : slip.peak_displacement_m,
             .peak_vector_m = slip.peak_displacement_m,

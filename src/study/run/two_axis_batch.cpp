@@ -18,7 +18,7 @@ void TwoAxisBatch::add(const std::shared_ptr<TwoAxisLanes>& lanes, const TwoAxis
 void TwoAxisBatch::run() {
   const std::size_t n = thresholds_m_.size();
   for (Group& group : groups_) {
-    std::vector<TwoAxisPeak> peaks(group.scenes.size());
+    std::vector<BuildingPeak> peaks(group.scenes.size());
     std::vector<Crossing> crossings(group.scenes.size() * n);
     group.lanes->slide(group.scenes, peaks, thresholds_m_, crossings);
     for (std::size_t i = 0; i < peaks.size(); ++i) {

@@ -12,7 +12,7 @@ namespace glissade {
 /// A history that a batch has run, or is to run.
 struct TwoAxisRun {
   bool is_run = false;
-  TwoAxisPeak peak = {};
+  BuildingPeak peak = {};
   std::vector<Crossing> crossings = {};
 };
 

@@ -14,7 +14,6 @@ namespace closed_form_pulses_test {
 
 using namespace closed_forms;
 using test::for_each_solver;
-using test::Outcome;
 using test::Solver;
 
 constexpr double g = standard_gravity_mps2;
@@ -47,16 +46,16 @@ void expect_single_slips(const Pulse& pulse, const Solver& solver, Block block,
   const double down = sliding.plan * slip(pulse, sliding.down);
   for (const SlipDirections directions : {SlipDirections::both, SlipDirections::downslope_only}) {
     block.directions = directions;
-    const Outcome r = under({pulse.dt_s, alpha}, Against::down, block, solver);
-    expect_relative(r.residual_displacement_m, down);
+    const SlipPeak r = under({pulse.dt_s, alpha}, Against::down, block, solver);
+    expect_relative(r.residual.along_m, down);
     expect_relative(r.peak_displacement_m, down);
     EXPECT_EQ(r.slip_phases, 1u);
   }
   EXPECT_EQ(under({pulse.dt_s, alpha}, Against::up, block, solver).slip_phases,
             0u);  // does not slide upslope
   block.directions = SlipDirections::both;
-  const Outcome r = under({pulse.dt_s, alpha}, Against::up, block, solver);
-  expect_relative(r.residual_displacement_m, -sliding.plan * slip(pulse, sliding.up));
+  const SlipPeak r = under({pulse.dt_s, alpha}, Against::up, block, solver);
+  expect_relative(r.residual.along_m, -sliding.plan * slip(pulse, sliding.up));
   expect_relative(r.peak_upslope_m, sliding.plan * slip(pulse, sliding.up));
   EXPECT_EQ(r.slip_phases, 1u);
 }
@@ -67,15 +66,15 @@ void expect_both_strokes(const Cycle& cycle, const Solver& solver, Block block,
                          const Strokes& expected) {
   const std::vector<double> alpha = cycle.alpha();
   const double larger = std::max(expected.down_m, expected.up_m);
-  const Outcome both = under({cycle.first.dt_s, alpha}, Against::down, block, solver);
-  EXPECT_NEAR(both.residual_displacement_m, expected.down_m - expected.up_m, rounding * larger);
+  const SlipPeak both = under({cycle.first.dt_s, alpha}, Against::down, block, solver);
+  EXPECT_NEAR(both.residual.along_m, expected.down_m - expected.up_m, rounding * larger);
   expect_relative(both.peak_downslope_m, expected.down_m);
   EXPECT_NEAR(both.peak_upslope_m, std::max(0.0, expected.up_m - expected.down_m),
               rounding * larger);
   EXPECT_EQ(both.slip_phases, 2u);
   block.directions = SlipDirections::downslope_only;
-  const Outcome one = under({cycle.first.dt_s, alpha}, Against::down, block, solver);
-  expect_relative(one.residual_displacement_m, expected.down_m);
+  const SlipPeak one = under({cycle.first.dt_s, alpha}, Against::down, block, solver);
+  expect_relative(one.residual.along_m, expected.down_m);
   EXPECT_EQ(one.slip_phases, 1u);
 }
 

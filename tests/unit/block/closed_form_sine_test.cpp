@@ -15,7 +15,6 @@ namespace closed_form_sine_test {
 
 using namespace closed_forms;
 using test::for_each_solver;
-using test::Outcome;
 using test::Solver;
 
 constexpr double g = standard_gravity_mps2;
@@ -38,8 +37,7 @@ TEST(half_sine, slides_from_the_arcsine_and_stops_inside_it_or_coasts) {
         const Way& way = down ? sliding.down : sliding.up;
         const HalfSine pulse{way.yield_mps2 / eta, 0.8};
         const auto residual = [&](int parts) {
-          return under({0.8 / parts, pulse.alpha(parts)}, against, block, solver)
-              .residual_displacement_m;
+          return under({0.8 / parts, pulse.alpha(parts)}, against, block, solver).residual.along_m;
         };
         SCOPED_TRACE(testing::Message() << "eta " << eta << (down ? " down" : " up"));
         expect_tends_to((down ? 1 : -1) * sliding.plan * slip(pulse, way), residual, 1000, 1e-8);
@@ -74,8 +72,8 @@ TEST(newmark_sine, slides_down_the_same_length_in_every_cycle_from_the_first) {
         // The record ends as slip of the last cycle may still go on, so cycles are differences.
         const auto cycle = [&](int n) {
           return [&, n](int parts) {
-            return scene.after(solver, 2 * n + 2, parts).residual_displacement_m -
-                   scene.after(solver, 2 * n, parts).residual_displacement_m;
+            return scene.after(solver, 2 * n + 2, parts).residual.along_m -
+                   scene.after(solver, 2 * n, parts).residual.along_m;
           };
         };
         for (const int n : {1, 2, 7}) expect_tends_to(expected.drift_m(), cycle(n), 1000, 1e-7);
@@ -116,8 +114,8 @@ TEST(flat_roof_without_stops, is_reached_from_rest_at_any_phase) {
     SCOPED_TRACE(eta);
     for_each_solver([&](const Solver& solver) {
       const auto apart = [&](int parts) {
-        return scene.after(solver, 201, parts).residual_displacement_m -
-               scene.after(solver, 200, parts).residual_displacement_m;
+        return scene.after(solver, 201, parts).residual.along_m -
+               scene.after(solver, 200, parts).residual.along_m;
       };
       expect_tends_to(2 * rest_beyond_middle(scene.motion, scene.sliding()), apart, 500, 1e-7);
     });

@@ -12,7 +12,6 @@ namespace glissade {
 namespace closed_form_test {
 
 using test::for_each_solver;
-using test::Outcome;
 using test::Solver;
 
 constexpr double g = standard_gravity_mps2;
@@ -33,10 +32,10 @@ TEST(physical_check,
      two_slides_down_a_still_plane_by_half_the_net_acceleration_times_time_squared) {
   for_each_solver([](const Solver& solver) {
     const Block block{0.1, 7 * rad_per_deg};
-    const Outcome r = solver.solve({0.01, std::vector<double>(1001, 0.0)}, block);  // 10 s
+    const SlipPeak r = solver.solve({0.01, std::vector<double>(1001, 0.0)}, block);  // 10 s
     const double along_slope =
         0.5 * g * (std::sin(block.slope_rad) - 0.1 * std::cos(block.slope_rad)) * 100.0;
-    EXPECT_NEAR(r.residual_displacement_m, along_slope * std::cos(block.slope_rad), 1e-11);
+    EXPECT_NEAR(r.residual.along_m, along_slope * std::cos(block.slope_rad), 1e-11);
     EXPECT_TRUE(r.free_sliding);
     EXPECT_EQ(r.slip_phases, 1u);
   });
@@ -45,8 +44,8 @@ TEST(physical_check,
 TEST(physical_check, three_differs_between_slopes_of_plus_and_minus_four_degrees) {
   const auto a = test::made_up_record(1000, 1, g);  // not symmetric, peak 1 g as the paper's
   for_each_solver([&](const Solver& solver) {
-    const Outcome plus = solver.solve({0.01, a}, {0.4, 4 * rad_per_deg});
-    const Outcome minus = solver.solve({0.01, a}, {0.4, -4 * rad_per_deg});
+    const SlipPeak plus = solver.solve({0.01, a}, {0.4, 4 * rad_per_deg});
+    const SlipPeak minus = solver.solve({0.01, a}, {0.4, -4 * rad_per_deg});
     EXPECT_GT(std::min(plus.peak_displacement_m, minus.peak_displacement_m), 0.0);
     EXPECT_GT(std::abs(plus.peak_displacement_m / minus.peak_displacement_m - 1.0), 1e-3);
   });
@@ -69,7 +68,7 @@ TEST(closed_form, trapezoidal_pulse_on_a_flat_roof) {
   for_each_solver([](const Solver& solver) {
     const double mu = 0.2, A = 4.0, dt = 0.1, yield = mu * g;
     const std::vector<double> pulse = {0.0, A, A, A, A, A, 0.0};
-    const Outcome r = solver.solve({dt, pulse}, {.friction = mu});
+    const SlipPeak r = solver.solve({dt, pulse}, {.friction = mu});
     const double t_start = dt * yield / A;  // into the first interval
     const double rise = dt - t_start;       // drive goes from 0 to A - yield
     const double n = A - yield;
@@ -83,7 +82,7 @@ TEST(closed_form, trapezoidal_pulse_on_a_flat_roof) {
     ASSERT_GT(v, 0);
     s += v * v / (2 * yield);  // coasting
     EXPECT_NEAR(r.peak_upslope_m, s, 1e-14);
-    EXPECT_NEAR(r.residual_displacement_m, -s, 1e-14);
+    EXPECT_NEAR(r.residual.along_m, -s, 1e-14);
     EXPECT_EQ(r.slip_phases, 1u);
     EXPECT_NEAR(r.slip_duration_s, rise + plateau + dt + v / yield, 1e-13);
   });
@@ -104,9 +103,9 @@ TEST(closed_form, constant_vertical_acceleration_acts_as_gravity) {
     const std::vector<double> pulse = {0.0, 6.0, 6.0, 6.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0};
     const std::vector<double> w(pulse.size(), 0.25 * g);
     Block heavy{.friction = 0.2, .slope_rad = 0.05};
-    const Outcome lifted = solver.solve({0.01, pulse, w}, heavy);
+    const SlipPeak lifted = solver.solve({0.01, pulse, w}, heavy);
     heavy.gravity_mps2 = 1.25 * g;
-    const Outcome heavier = solver.solve({0.01, pulse}, heavy);
+    const SlipPeak heavier = solver.solve({0.01, pulse}, heavy);
     EXPECT_NEAR(lifted.peak_displacement_m, heavier.peak_displacement_m, 1e-15);
   });
 }
@@ -126,8 +125,8 @@ TEST(closed_form, a_frictionless_block_stays_where_it_is_in_space) {
       u += v * dt + dt * dt * (2 * a[i] + next) / 6;
       v += 0.5 * dt * (a[i] + next);
     }
-    const Outcome r = solver.solve({dt, a}, {.friction = 0.0});
-    EXPECT_NEAR(r.residual_displacement_m, -u, 1e-13);
+    const SlipPeak r = solver.solve({dt, a}, {.friction = 0.0});
+    EXPECT_NEAR(r.residual.along_m, -u, 1e-13);
     EXPECT_TRUE(r.free_sliding);
   });
 }

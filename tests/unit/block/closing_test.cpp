@@ -185,7 +185,7 @@ TEST(closing_on_building, of_symmetric_arrays_across_a_valley_is_twice_the_slip_
   scene.building = {};
   scene.block.friction = {0.09, 0.09};
   scene.block.slope_rad = 0.1;
-  const TwoAxisResult one = scene.result().slip;
+  const SlipResult one = scene.result().slip;
   ASSERT_GT(one.peak_by_axis.along_m, 1e-3);
   EXPECT_NEAR(closing_across_a_valley(scene, 1.0, 1.0).along_m, 2.0 * one.peak_by_axis.along_m,
               1e-9 * one.peak_by_axis.along_m);
@@ -211,8 +211,8 @@ void expect_that_of_two_fine_histories(bool across_a_valley) {
     for (const std::size_t i : {0u, 1u}) {
       TwoAxisBlock block = with_friction(scene.block, i == 0 ? 1.3 : 1.0);
       if (i == 1 && across_a_valley) block = facing(block);
-      const TwoAxisResult alone = slide_two_axis(
-          {scene.dt_s, {scene.first, scene.second}, scene.up}, block, fine[i], 1e-11);
+      const SlipResult alone = slide_two_axis({scene.dt_s, {scene.first, scene.second}, scene.up},
+                                              block, fine[i], 1e-11);
       peak_m = std::max(peak_m, alone.peak_displacement_m);
     }
     // The axes of a facing slope are those of this one, turned by half a turn.

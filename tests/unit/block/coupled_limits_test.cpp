@@ -32,7 +32,7 @@ TEST(coupled_limits, without_mass_it_is_the_uncoupled_block) {
     ASSERT_GT(r.slip.peak_displacement_m, 1e-3);
     EXPECT_NEAR(r.slip.peak_displacement_m, uncoupled.peak_displacement_m,
                 3e-6 * uncoupled.peak_displacement_m);
-    EXPECT_NEAR(r.slip.residual_displacement_m, uncoupled.residual_displacement_m,
+    EXPECT_NEAR(r.slip.residual.along_m, uncoupled.residual.along_m,
                 3e-6 * uncoupled.peak_displacement_m);
     EXPECT_NEAR(r.peak_roof_acceleration_mps2, roof.peak_horizontal_mps2,
                 3e-6 * roof.peak_horizontal_mps2);
@@ -51,7 +51,7 @@ TEST(coupled_limits, a_vanishing_mass_gives_the_uncoupled_slip) {
   const CoupledResult little = slide_coupled(ground, {}, {{0.4, 0.05}, 1e-12}, block);
   EXPECT_NEAR(little.slip.peak_displacement_m, none.slip.peak_displacement_m,
               1e-10 * none.slip.peak_displacement_m);
-  EXPECT_NEAR(little.slip.residual_displacement_m, none.slip.residual_displacement_m,
+  EXPECT_NEAR(little.slip.residual.along_m, none.slip.residual.along_m,
               1e-10 * none.slip.peak_displacement_m);
   EXPECT_EQ(little.slip.slip_phases, none.slip.slip_phases);
 }
@@ -67,8 +67,9 @@ TEST(coupled_limits, a_rigid_building_is_not_affected_by_the_array) {
       const double close = 1e-12 * alone.peak_displacement_m;
       EXPECT_NEAR(r.peak_downslope_m, alone.peak_downslope_m, close);
       EXPECT_NEAR(r.peak_upslope_m, alone.peak_upslope_m, close);
-      EXPECT_NEAR(r.residual_displacement_m, alone.residual_displacement_m, close);
+      EXPECT_NEAR(r.residual.along_m, alone.residual.along_m, close);
       EXPECT_NEAR(r.peak_velocity_mps, alone.peak_velocity_mps, 1e-12);
+      EXPECT_NEAR(r.path_length_m, alone.path_length_m, close);
       EXPECT_NEAR(r.slip_duration_s, alone.slip_duration_s, 1e-11);
       EXPECT_EQ(r.slip_phases, alone.slip_phases);
       EXPECT_EQ(r.uplift, alone.uplift);
@@ -128,7 +129,7 @@ TEST(coupled_limits, zeros_after_the_record_change_nothing) {
   const CoupledResult r = slide_coupled(ground, {}, building, block),
                       p = slide_coupled({dt_s, padded, padded_w}, {}, building, block);
   EXPECT_EQ(r.slip.peak_displacement_m, p.slip.peak_displacement_m);
-  EXPECT_EQ(r.slip.residual_displacement_m, p.slip.residual_displacement_m);
+  EXPECT_EQ(r.slip.residual.along_m, p.slip.residual.along_m);
   EXPECT_EQ(r.energy.input_m2ps2, p.energy.input_m2ps2);
 }
 
@@ -140,7 +141,7 @@ TEST(coupled_limits, similitude_holds_to_the_last_bit) {
   const CoupledResult r = slide_coupled(ground, {}, building, block),
                       s = slide_coupled(ground, {4.0, 4.0}, building, heavy);
   EXPECT_EQ(4.0 * r.slip.peak_displacement_m, s.slip.peak_displacement_m);
-  EXPECT_EQ(4.0 * r.slip.residual_displacement_m, s.slip.residual_displacement_m);
+  EXPECT_EQ(4.0 * r.slip.residual.along_m, s.slip.residual.along_m);
   EXPECT_EQ(r.peak_base_shear, s.peak_base_shear);
 }
 

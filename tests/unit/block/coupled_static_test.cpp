@@ -69,7 +69,7 @@ TEST(coupled_static_friction, agrees_with_50_digits) {
     const double close = 1e-11 * r.slip.peak_displacement_m;
     EXPECT_NEAR(r.slip.peak_downslope_m, static_cast<double>(truth.down), close);
     EXPECT_NEAR(r.slip.peak_upslope_m, static_cast<double>(truth.up), close);
-    EXPECT_NEAR(r.slip.residual_displacement_m, static_cast<double>(truth.slip), close);
+    EXPECT_NEAR(r.slip.residual.along_m, static_cast<double>(truth.slip), close);
     EXPECT_EQ(r.slip.slip_phases, static_cast<std::size_t>(truth.phases));
     phases += truth.phases;
   }

@@ -42,7 +42,7 @@ inline CoupledPair expect_near_truth(const GroundMotion& ground, const MotionFac
   for (const double e :
        {error(r.slip.peak_downslope_m, truth.down, slip),
         error(r.slip.peak_upslope_m, truth.up, slip),
-        error(r.slip.residual_displacement_m, truth.slip, slip),
+        error(r.slip.residual.along_m, truth.slip, slip),
         error(r.slip.slip_duration_s, truth.duration, r.slip.slip_duration_s),
         error(history.back().roof_displacement_m, truth.u, r.peak_roof_displacement_m)})
     EXPECT_LT(e, 1e-11);

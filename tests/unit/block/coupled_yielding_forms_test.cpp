@@ -72,7 +72,7 @@ TEST(yielding_oscillator, goes_round_the_textbook_loop) {
 
 void expect_same_bits(const CoupledResult& r, const CoupledResult& s) {
   EXPECT_EQ(r.slip.peak_displacement_m, s.slip.peak_displacement_m);
-  EXPECT_EQ(r.slip.residual_displacement_m, s.slip.residual_displacement_m);
+  EXPECT_EQ(r.slip.residual.along_m, s.slip.residual.along_m);
   EXPECT_EQ(r.slip.slip_phases, s.slip.slip_phases);
   EXPECT_EQ(r.peak_base_shear, s.peak_base_shear);
   EXPECT_EQ(r.peak_roof_displacement_m, s.peak_roof_displacement_m);
@@ -106,7 +106,7 @@ TEST(coupled_yielding_limits, similitude_holds_to_the_last_bit) {
                         s = slide_coupled(ground, {4.0, 4.0}, yielding_at(8.0, alpha), heavy);
     ASSERT_GT(r.ductility, 1.5);
     EXPECT_EQ(4.0 * r.slip.peak_displacement_m, s.slip.peak_displacement_m);
-    EXPECT_EQ(4.0 * r.slip.residual_displacement_m, s.slip.residual_displacement_m);
+    EXPECT_EQ(4.0 * r.slip.residual.along_m, s.slip.residual.along_m);
     EXPECT_EQ(4.0 * r.residual_roof_displacement_m, s.residual_roof_displacement_m);
     EXPECT_EQ(16.0 * r.energy.hysteretic_m2ps2, s.energy.hysteretic_m2ps2);
     EXPECT_EQ(r.ductility, s.ductility);
@@ -171,7 +171,7 @@ TEST(coupled_yielding_limits, without_mass_the_block_slides_on_an_independently_
     ASSERT_GT(uncoupled.peak_displacement_m, 1e-3);
     EXPECT_NEAR(r.slip.peak_displacement_m, uncoupled.peak_displacement_m,
                 1e-5 * uncoupled.peak_displacement_m);
-    EXPECT_NEAR(r.slip.residual_displacement_m, uncoupled.residual_displacement_m,
+    EXPECT_NEAR(r.slip.residual.along_m, uncoupled.residual.along_m,
                 1e-5 * uncoupled.peak_displacement_m);
   }
 }

@@ -70,7 +70,7 @@ TEST(elastic_link, is_mirrored_with_motion_and_slope) {
     const LinkSlip r = slide_on_elastic_link({0.005, a}, block, {.law = law});
     const LinkSlip m = slide_on_elastic_link({0.005, a, {}, -1.0}, mirrored, {.law = law});
     EXPECT_EQ(r.peak_displacement_m, m.peak_displacement_m);
-    EXPECT_EQ(r.residual_displacement_m, m.residual_displacement_m);
+    EXPECT_EQ(r.residual.along_m, m.residual.along_m);
   }
 }
 
@@ -88,8 +88,8 @@ TEST(elastic_link, converges_to_the_rigid_block_at_least_as_one_over_omega) {
           const Block block{0.2, slope_deg * rad_per_deg};
           const SlipResult exact = slide({0.005, a}, block);
           const double error =
-              std::abs(slide_on_elastic_link({0.005, a}, block, link).residual_displacement_m -
-                       exact.residual_displacement_m);
+              std::abs(slide_on_elastic_link({0.005, a}, block, link).residual.along_m -
+                       exact.residual.along_m);
           EXPECT_LT(error, 2.0 * 0.2 * g / omega(link, block) * exact.slip_duration_s);
           sum += error;
         }

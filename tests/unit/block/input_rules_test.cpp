@@ -28,7 +28,7 @@ const double slope_rad = 5 * rad_per_deg;
 
 Block block_with(double friction) { return {.friction = friction, .slope_rad = slope_rad}; }
 
-TwoAxisResult on_two_axes(const Block& block) {
+SlipResult on_two_axes(const Block& block) {
   TwoAxisBlock two{.friction = {block.friction, block.friction}, .slope_rad = block.slope_rad};
   return slide_two_axis({0.01, {record, {}}, {}}, two);
 }
@@ -41,10 +41,10 @@ TEST(critical_friction, is_one_rule_for_all_models) {
     const SlipResult exact = slide({0.01, record}, block);
     EXPECT_TRUE(exact.free_sliding) << mu;
     EXPECT_LT(exact.peak_displacement_m, 100.0);
-    const PeakSlip table = peak_slip(RoofTable(0.01, record), block);
+    const SlipPeak table = peak_slip(RoofTable(0.01, record), block);
     EXPECT_TRUE(table.free_sliding);
     EXPECT_NEAR(table.peak_displacement_m, exact.peak_displacement_m, 1e-9);
-    const TwoAxisResult two = on_two_axes(block);
+    const SlipResult two = on_two_axes(block);
     EXPECT_TRUE(two.free_sliding);
     EXPECT_NEAR(two.peak_by_axis.along_m, exact.peak_displacement_m,
                 1e-5 * exact.peak_displacement_m);
@@ -140,7 +140,7 @@ TEST(a_scene_that_is_not_finite, is_refused_by_every_model_of_two_axes) {
   for (std::size_t i = 0; i < count; ++i) {
     scene = good;
     *numbers(scene)[i] = std::nan("");
-    TwoAxisPeak peak;
+    BuildingPeak peak;
     EXPECT_THROW(peak_slip_two_axes(ground, {&scene, 1}, {&peak, 1}), std::invalid_argument) << i;
     EXPECT_THROW(slide_on_building(ground, scene.factors, scene.building, scene.block),
                  std::invalid_argument)
@@ -166,7 +166,7 @@ TEST(a_factor_beyond_any_motion, is_refused_by_every_model) {
   const auto slips = [&](double factor) {
     const MotionFactors factors{factor, factor};
     const TwoAxisScene scene = scene_on_a_building(factor);
-    TwoAxisPeak peak;
+    BuildingPeak peak;
     return std::vector<std::function<double()>>{
         [=] {
           return slide({0.01, record, {}, factor}, block).peak_displacement_m;
@@ -192,7 +192,7 @@ TEST(a_factor_beyond_any_motion, is_refused_by_every_model) {
 TEST(a_tolerance, that_no_step_can_meet_is_refused_in_every_build) {
   const BuildingGround ground{{std::make_shared<GroundTable>(0.01, record), nullptr}, nullptr};
   const TwoAxisScene scene = scene_on_a_building(1.0);
-  TwoAxisPeak peak;
+  BuildingPeak peak;
   for (const double bad : {0.0, -1.0, 0.1, std::nan("")}) {
     EXPECT_THROW(peak_slip_two_axes(ground, {&scene, 1}, {&peak, 1}, bad), std::invalid_argument);
     EXPECT_THROW(slide_on_building(ground, scene.factors, scene.building, scene.block, bad),

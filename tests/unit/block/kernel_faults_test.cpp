@@ -31,7 +31,7 @@ TEST(lifted_without_horizontal_motion, is_uplift_but_no_phase_of_sliding) {
   const SlipResult one = slide({0.01, still, up}, block);
   EXPECT_EQ(one.slip_phases, 0u);
   EXPECT_TRUE(one.uplift);
-  const TwoAxisResult on_two = slide_two_axis({0.01, {still, {}}, up}, two);
+  const SlipResult on_two = slide_two_axis({0.01, {still, {}}, up}, two);
   EXPECT_EQ(on_two.slip_phases, 0u);
   EXPECT_TRUE(on_two.uplift);
   const auto ground = std::make_shared<GroundTable>(0.01, still);
@@ -112,7 +112,7 @@ TEST(ring_down, of_an_undamped_building_is_120_s_in_every_model) {
   const RoofMotion roof = roof_motion(ground, {{0.5, 0.0}, {}}, follow);
   EXPECT_NEAR(roof.dt_s * static_cast<double>(roof.horizontal_mps2.size() - 1), record_s + 120.0,
               0.011);
-  const PeakSlip table =
+  const SlipPeak table =
       peak_slip(tabulate_roof(ground, {{0.5, 0.0}, {}}, follow), block, {1.0, 1.0});
   const double peak = events.slip.peak_displacement_m;
   EXPECT_NEAR(table.slip_duration_s, events.slip.slip_duration_s, 0.1);
@@ -121,7 +121,7 @@ TEST(ring_down, of_an_undamped_building_is_120_s_in_every_model) {
   const TwoAxisScene scene{{{{building.horizontal, {}}}}, {.friction = {0.02, 0.02}}, {}};
   const double full =
       slide_on_building(under, {}, scene.building, scene.block, 1e-8).slip.peak_displacement_m;
-  TwoAxisPeak lanes;
+  BuildingPeak lanes;
   peak_slip_two_axes(under, {&scene, 1}, {&lanes, 1}, 1e-8);
   EXPECT_NEAR(full, peak, 1e-5 * peak);
   EXPECT_NEAR(lanes.peak_displacement_m, peak, 1e-5 * peak);
@@ -184,7 +184,7 @@ TEST(a_step_of_a_nanosecond, does_not_take_minutes_in_lanes) {
   const TwoAxisBlock block{.friction = {1e-9, 1e-9}};
   const BiaxialBuilding building{{{{0.5, 0.05}, {0.5, 0.05}}}};
   const std::vector<TwoAxisScene> scenes{{{}, block, {}}, {building, block, {}}};
-  std::vector<TwoAxisPeak> peaks(scenes.size());
+  std::vector<BuildingPeak> peaks(scenes.size());
   peak_slip_two_axes(ground, scenes, peaks);
   const double truth_m = slide_on_building(ground, {}, {}, block).slip.peak_displacement_m;
   EXPECT_NEAR(peaks[0].peak_displacement_m, truth_m, 1e-5 * truth_m);

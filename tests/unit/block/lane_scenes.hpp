@@ -58,10 +58,10 @@ inline std::vector<TwoAxisScene> made_up_scenes(Kind kind, std::size_t count, un
   return scenes;
 }
 
-inline std::vector<TwoAxisPeak> solve(const BuildingGround& ground,
-                                      std::span<const TwoAxisScene> scenes,
-                                      double tolerance = 1e-6) {
-  std::vector<TwoAxisPeak> peaks(scenes.size());
+inline std::vector<BuildingPeak> solve(const BuildingGround& ground,
+                                       std::span<const TwoAxisScene> scenes,
+                                       double tolerance = 1e-6) {
+  std::vector<BuildingPeak> peaks(scenes.size());
   peak_slip_two_axes(ground, scenes, peaks, tolerance);
   return peaks;
 }
@@ -103,9 +103,9 @@ inline std::vector<TwoAxisScene> lifted_scenes(Kind kind, std::size_t count, uns
   return scenes;
 }
 
-inline std::vector<double> numbers(std::span<const TwoAxisPeak> peaks) {
+inline std::vector<double> numbers(std::span<const BuildingPeak> peaks) {
   std::vector<double> all;
-  for (const TwoAxisPeak& p : peaks)
+  for (const BuildingPeak& p : peaks)
     all.insert(all.end(), {p.peak_displacement_m, p.peak_by_axis.along_m, p.peak_by_axis.across_m,
                            p.peak_downslope_m, p.peak_upslope_m, p.residual.along_m,
                            p.residual.across_m, static_cast<double>(p.slip_phases),

@@ -23,7 +23,7 @@ struct Scene {
   RoofAcceleration roof(double factor = 1.0) const { return {dt_s, a, w, factor, factor}; }
 };
 
-inline void expect_times(const Outcome& actual, const Outcome& expected, double factor,
+inline void expect_times(const SlipPeak& actual, const SlipPeak& expected, double factor,
                          double tolerance_m) {
   const auto expect_near = [&](double value, double reference) {
     if (tolerance_m == 0.0) {
@@ -33,7 +33,7 @@ inline void expect_times(const Outcome& actual, const Outcome& expected, double 
     }
   };
   expect_near(actual.peak_displacement_m, expected.peak_displacement_m);
-  expect_near(actual.residual_displacement_m, expected.residual_displacement_m);
+  expect_near(actual.residual.along_m, expected.residual.along_m);
   expect_near(actual.peak_downslope_m, expected.peak_downslope_m);
   expect_near(actual.peak_upslope_m, expected.peak_upslope_m);
   EXPECT_EQ(actual.uplift, expected.uplift);
@@ -42,7 +42,7 @@ inline void expect_times(const Outcome& actual, const Outcome& expected, double 
 
 /// Rounded otherwise, an answer may differ by `relative` of itself, and by what an acceleration off
 /// by its rounding for as long as the block slides gives: that matters where slip is tiny.
-inline double rounding_m(const Scene& scene, const Outcome& r, double relative) {
+inline double rounding_m(const Scene& scene, const SlipPeak& r, double relative) {
   double peak_mps2 = scene.block.gravity_mps2;
   for (const double x : scene.a) peak_mps2 = std::max(peak_mps2, std::abs(x));
   return relative * r.peak_displacement_m +
@@ -51,7 +51,7 @@ inline double rounding_m(const Scene& scene, const Outcome& r, double relative) 
 
 /// a, w and g times lambda: slip times lambda.
 inline void expect_similitude(const Scene& scene, const Solver& solver) {
-  const Outcome one = solver.solve(scene.roof(), scene.block);
+  const SlipPeak one = solver.solve(scene.roof(), scene.block);
   for (const double lambda : {0.125, 64.0, 1.7, 0.3}) {
     Scene scaled = scene;
     scaled.block.gravity_mps2 *= lambda;
@@ -62,15 +62,15 @@ inline void expect_similitude(const Scene& scene, const Solver& solver) {
 }
 
 inline void expect_mirror(const Scene& scene, const Solver& solver) {
-  const Outcome one = solver.solve(scene.roof(), scene.block);
+  const SlipPeak one = solver.solve(scene.roof(), scene.block);
   Scene mirrored = scene;
   for (double& x : mirrored.a) x = -x;
   if (scene.block.slope_rad != 0.0) {
     mirrored.block.slope_rad *= -1;  // "down" turns around with the slope
     expect_times(solver.solve(mirrored.roof(), mirrored.block), one, 1.0, 0.0);
   } else {
-    const Outcome other = solver.solve(mirrored.roof(), mirrored.block);
-    EXPECT_EQ(other.residual_displacement_m, -one.residual_displacement_m);
+    const SlipPeak other = solver.solve(mirrored.roof(), mirrored.block);
+    EXPECT_EQ(other.residual.along_m, -one.residual.along_m);
     EXPECT_EQ(other.peak_downslope_m, one.peak_upslope_m);
     EXPECT_EQ(other.peak_upslope_m, one.peak_downslope_m);
   }
@@ -88,7 +88,7 @@ inline std::vector<double> refined(const std::vector<double>& x, int parts) {
 
 inline void expect_inserted_samples_change_nothing(const Scene& scene, const Solver& solver) {
   if (std::tan(std::abs(scene.block.slope_rad)) > scene.block.friction) return;  // ends elsewhere
-  const Outcome one = solver.solve(scene.roof(), scene.block);
+  const SlipPeak one = solver.solve(scene.roof(), scene.block);
   for (const int parts : {2, 3}) {
     Scene fine = scene;
     fine.a = refined(scene.a, parts);
@@ -100,7 +100,7 @@ inline void expect_inserted_samples_change_nothing(const Scene& scene, const Sol
 
 inline void expect_padding_and_shift_change_nothing(const Scene& scene, const Solver& solver) {
   if (std::tan(std::abs(scene.block.slope_rad)) > scene.block.friction) return;  // never at rest
-  const Outcome one = solver.solve(scene.roof(), scene.block);
+  const SlipPeak one = solver.solve(scene.roof(), scene.block);
   const auto with_zeros = [](const std::vector<double>& x, std::size_t before, std::size_t after) {
     if (x.empty()) return x;
     std::vector<double> y(before, 0.0);
@@ -112,7 +112,7 @@ inline void expect_padding_and_shift_change_nothing(const Scene& scene, const So
     Scene moved = scene;
     moved.a = with_zeros(scene.a, before, after);
     moved.w = with_zeros(scene.w, before, after);
-    const Outcome r = solver.solve(moved.roof(), scene.block);
+    const SlipPeak r = solver.solve(moved.roof(), scene.block);
     expect_times(r, one, 1.0, 0.0);
     EXPECT_EQ(r.slip_phases, one.slip_phases);
     EXPECT_EQ(r.slip_duration_s, one.slip_duration_s);
@@ -121,7 +121,7 @@ inline void expect_padding_and_shift_change_nothing(const Scene& scene, const So
 
 /// Equal samples, another clock: slip times the square of the steps' ratio.
 inline void expect_clock_scaling(const Scene& scene, const Solver& solver) {
-  const Outcome one = solver.solve(scene.roof(), scene.block);
+  const SlipPeak one = solver.solve(scene.roof(), scene.block);
   for (const double ratio : {2.0, 0.25, 3.0}) {
     Scene slower = scene;
     slower.dt_s *= ratio;
@@ -137,16 +137,16 @@ inline void expect_clock_scaling(const Scene& scene, const Solver& solver) {
 inline void expect_one_way_beyond_two_way(const Scene& scene, const Solver& solver) {
   Block one_way = scene.block;
   one_way.directions = SlipDirections::downslope_only;
-  const Outcome both = solver.solve(scene.roof(), scene.block),
-                one = solver.solve(scene.roof(), one_way);
+  const SlipPeak both = solver.solve(scene.roof(), scene.block),
+                 one = solver.solve(scene.roof(), one_way);
   const double tolerance_m = rounding_m(scene, both, 1e-12);
   EXPECT_EQ(one.peak_upslope_m, 0.0);
   EXPECT_GE(one.peak_downslope_m + tolerance_m, both.peak_downslope_m);
-  EXPECT_GE(one.residual_displacement_m + tolerance_m, both.residual_displacement_m);
+  EXPECT_GE(one.residual.along_m + tolerance_m, both.residual.along_m);
   if (scene.block.slope_rad != 0.0) return;
   Scene mirrored = scene;
   for (double& x : mirrored.a) x = -x;
-  const Outcome other = solver.solve(mirrored.roof(), one_way);
+  const SlipPeak other = solver.solve(mirrored.roof(), one_way);
   EXPECT_GE(std::max(one.peak_displacement_m, other.peak_displacement_m) + tolerance_m,
             both.peak_displacement_m);
 }

@@ -77,7 +77,7 @@ TEST(metamorphic, one_way_slip_never_goes_upslope_where_the_root_of_a_stop_vanis
     const auto slip = solver.solve({1.2e-6, pushed_up}, block);
     EXPECT_EQ(slip.slip_phases, 1u);
     EXPECT_EQ(slip.peak_upslope_m, 0.0);
-    EXPECT_GE(slip.residual_displacement_m, 0.0);
+    EXPECT_GE(slip.residual.along_m, 0.0);
   }
 }
 
@@ -99,7 +99,7 @@ TEST(metamorphic, slip_is_not_monotone_in_intensity_or_friction) {
     const auto less = outcome(solver, 1.0, mu), more = outcome(solver, 1.1, mu);
     EXPECT_NEAR(less.peak_displacement_m, 0.5, 0.03);
     EXPECT_LT(more.peak_displacement_m, 0.9 * less.peak_displacement_m);
-    EXPECT_LT(more.residual_displacement_m, 0.9 * less.residual_displacement_m);
+    EXPECT_LT(more.residual.along_m, 0.9 * less.residual.along_m);
     EXPECT_GT(outcome(solver, 2.0, mu).peak_displacement_m, less.peak_displacement_m);
     // By similitude the same with friction: slip(1, mu/1.1) = slip(1.1, mu)/1.1 on a flat roof.
     const auto smoother = outcome(solver, 1.0, mu / 1.1);

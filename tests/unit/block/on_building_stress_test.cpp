@@ -62,7 +62,7 @@ TEST(slide_on_building, ends_with_numbers_that_can_be_in_any_scene) {
     std::vector<double> thresholds_m{1e-6, 1e-3, 1e-2, 0.1, 1.0};
     std::vector<Crossing> crossings(thresholds_m.size());
     const BuildingSlip r = scene.result(thresholds_m, crossings);
-    const TwoAxisResult& s = r.slip;
+    const SlipResult& s = r.slip;
     const double rounding = 1e-9 * s.peak_displacement_m;
     EXPECT_TRUE(std::isfinite(s.path_length_m) && std::isfinite(s.peak_velocity_mps));
     EXPECT_GE(s.peak_displacement_m + rounding,

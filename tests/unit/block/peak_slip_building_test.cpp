@@ -34,7 +34,7 @@ Errors errors(double dt_s, double period_s, double damping) {
         const OscillatorReference exact(dt_s, a, period_s, damping, 1.5, block, ring_down_s, 24);
         if (exact.down == 0.0 && exact.up == 0.0) continue;
         const double size = std::max({exact.down, exact.up, 1e-3});
-        const PeakSlip r = peak_slip(roof, block, {1.5, 0.0});
+        const SlipPeak r = peak_slip(roof, block, {1.5, 0.0});
         found.largest = std::max({found.largest, std::abs(r.peak_downslope_m - exact.down) / size,
                                   std::abs(r.peak_upslope_m - exact.up) / size});
         ++found.count;
@@ -89,7 +89,7 @@ TEST(peak_slip_on_a_building, misses_no_excursion_between_samples) {
   const double g = standard_gravity_mps2;
   for (const double share : {0.01, 0.5, 0.99}) {
     const Block block{.friction = (at_samples + share * (peak - at_samples)) / g};
-    const PeakSlip slip = peak_slip(roof, block);
+    const SlipPeak slip = peak_slip(roof, block);
     EXPECT_GT(slip.peak_displacement_m, 0.0);
     EXPECT_EQ(slip.slip_phases, 1u);
   }
@@ -107,11 +107,11 @@ TEST(peak_slip_on_a_building, passes_nothing_over_that_looking_into_every_interv
       for (const double mu : {0.0, 0.1, 0.5}) {
         for (const double slope_deg : {-20.0, 0.0, 3.0}) {
           const Block block{.friction = mu, .slope_rad = slope_deg * rad_per_deg};
-          const PeakSlip one = peak_slip(roof, block, {factor, factor});
-          const PeakSlip other =
+          const SlipPeak one = peak_slip(roof, block, {factor, factor});
+          const SlipPeak other =
               peak_slip(roof, block, {factor, factor}, EventSearch::every_interval);
           EXPECT_EQ(one.peak_displacement_m, other.peak_displacement_m);
-          EXPECT_EQ(one.residual_displacement_m, other.residual_displacement_m);
+          EXPECT_EQ(one.residual.along_m, other.residual.along_m);
           EXPECT_EQ(one.slip_phases, other.slip_phases);
           EXPECT_EQ(one.uplift, other.uplift);
           lifted += one.uplift ? 1 : 0;

@@ -24,10 +24,10 @@ TEST(rodriguez_nikl, converges_to_the_exact_solution_at_first_order) {
       const RoofAcceleration roof{0.01, a, w};
       const SlipResult exact = slide(roof, block);
       ASSERT_FALSE(exact.uplift);
-      coarse += std::abs(slide_rodriguez_nikl(roof, block, 16).residual_displacement_m -
-                         exact.residual_displacement_m);
-      fine += std::abs(slide_rodriguez_nikl(roof, block, 1024).residual_displacement_m -
-                       exact.residual_displacement_m);
+      coarse +=
+          std::abs(slide_rodriguez_nikl(roof, block, 16).residual.along_m - exact.residual.along_m);
+      fine += std::abs(slide_rodriguez_nikl(roof, block, 1024).residual.along_m -
+                       exact.residual.along_m);
     }
   }
   const double order = std::log(coarse / fine) / std::log(1024.0 / 16.0);
@@ -40,11 +40,9 @@ TEST(rodriguez_nikl, reproduces_the_still_plane_exactly_after_its_frictionless_f
   // substep.
   const Block block{0.1, 7 * rad_per_deg};
   const std::vector<double> still(1001, 0.0);
-  const double exact = slide({0.01, still}, block).residual_displacement_m;
-  const double error64 =
-      slide_rodriguez_nikl({0.01, still}, block, 64).residual_displacement_m - exact;
-  const double error128 =
-      slide_rodriguez_nikl({0.01, still}, block, 128).residual_displacement_m - exact;
+  const double exact = slide({0.01, still}, block).residual.along_m;
+  const double error64 = slide_rodriguez_nikl({0.01, still}, block, 64).residual.along_m - exact;
+  const double error128 = slide_rodriguez_nikl({0.01, still}, block, 128).residual.along_m - exact;
   EXPECT_LT(std::abs(error64 / exact), 1e-3);
   EXPECT_NEAR(error64 / error128, 2.0, 0.01);
 }

@@ -35,9 +35,9 @@ std::vector<double> everything() {
     all.push_back(roof.horizontal->acceleration_bound_mps2);
     for (const double factor : {0.3, 1.0, 4.0}) {
       for (const double slope_deg : {0.0, -5.0}) {
-        const PeakSlip r = peak_slip(roof, {.friction = 0.3, .slope_rad = slope_deg * rad_per_deg},
+        const SlipPeak r = peak_slip(roof, {.friction = 0.3, .slope_rad = slope_deg * rad_per_deg},
                                      {factor, factor});
-        all.insert(all.end(), {r.peak_downslope_m, r.peak_upslope_m, r.residual_displacement_m,
+        all.insert(all.end(), {r.peak_downslope_m, r.peak_upslope_m, r.residual.along_m,
                                r.slip_duration_s, static_cast<double>(r.slip_phases)});
       }
     }

@@ -17,7 +17,7 @@ constexpr double g = standard_gravity_mps2;
 
 void expect_same(const SlipResult& a, const SlipResult& b) {
   EXPECT_EQ(a.peak_displacement_m, b.peak_displacement_m);
-  EXPECT_EQ(a.residual_displacement_m, b.residual_displacement_m);
+  EXPECT_EQ(a.residual.along_m, b.residual.along_m);
   EXPECT_EQ(a.peak_downslope_m, b.peak_downslope_m);
   EXPECT_EQ(a.peak_upslope_m, b.peak_upslope_m);
   EXPECT_EQ(a.peak_velocity_mps, b.peak_velocity_mps);
@@ -38,7 +38,7 @@ double error_against_fifty_digits(const RoofAcceleration& roof, const Block& blo
   if (size == 0) return r.peak_displacement_m;
   double worst = 0;
   for (const double difference :
-       {(r.residual_displacement_m - static_cast<double>(exact.slip)) / size,
+       {(r.residual.along_m - static_cast<double>(exact.slip)) / size,
         (r.peak_downslope_m - down) / size, (r.peak_upslope_m - up) / size,
         r.peak_velocity_mps / static_cast<double>(exact.peak_velocity) - 1}) {
     if (!(std::abs(difference) <= worst)) worst = std::abs(difference);
@@ -134,7 +134,7 @@ TEST(slide, records_a_history_that_ends_where_the_result_says) {
   expect_same(r, slide({0.01, a}, {0.2, 3 * rad_per_deg}));
   EXPECT_EQ(history.front().time_s, 0.0);
   EXPECT_EQ(history.back().velocity_mps, 0.0);
-  EXPECT_DOUBLE_EQ(history.back().displacement_m, r.residual_displacement_m);
+  EXPECT_DOUBLE_EQ(history.back().displacement_m, r.residual.along_m);
   double peak = 0;
   for (std::size_t i = 1; i < history.size(); ++i) {
     EXPECT_GE(history[i].time_s, history[i - 1].time_s);
@@ -192,7 +192,7 @@ TEST(slide, one_way_never_goes_upslope_however_small_the_motion) {
       const SlipResult r =
           slide({0.01, a}, {.friction = 0.0, .directions = SlipDirections::downslope_only});
       EXPECT_EQ(r.peak_upslope_m, 0.0);
-      EXPECT_GE(r.residual_displacement_m, 0.0);
+      EXPECT_GE(r.residual.along_m, 0.0);
     }
   }
 }

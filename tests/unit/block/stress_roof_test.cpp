@@ -33,18 +33,18 @@ TEST(stress_on_a_building, any_period_and_damping_is_finite_with_bounded_work) {
     for (const double damping : dampings) {
       SCOPED_TRACE(std::to_string(period_s) + " s, " + std::to_string(damping));
       const RoofTable roof = roof_of(period_s, damping);
-      const PeakSlip r = peak_slip(roof, block),
+      const SlipPeak r = peak_slip(roof, block),
                      looking = peak_slip(roof, block, {}, EventSearch::every_interval);
-      for (const double value : {r.peak_displacement_m, r.residual_displacement_m,
-                                 r.peak_downslope_m, r.peak_upslope_m, r.slip_duration_s}) {
+      for (const double value : {r.peak_displacement_m, r.residual.along_m, r.peak_downslope_m,
+                                 r.peak_upslope_m, r.slip_duration_s}) {
         EXPECT_TRUE(std::isfinite(value));
       }
       EXPECT_EQ(r.peak_displacement_m, std::max(r.peak_downslope_m, r.peak_upslope_m));
-      EXPECT_LE(std::abs(r.residual_displacement_m), r.peak_displacement_m);
+      EXPECT_LE(std::abs(r.residual.along_m), r.peak_displacement_m);
       // An interval of the table is smooth: each direction starts at most twice in one.
       EXPECT_LE(r.slip_phases, 4 * (roof.horizontal->end + 1));
       EXPECT_EQ(r.peak_displacement_m, looking.peak_displacement_m);
-      EXPECT_EQ(r.residual_displacement_m, looking.residual_displacement_m);
+      EXPECT_EQ(r.residual.along_m, looking.residual.along_m);
       EXPECT_EQ(r.slip_phases, looking.slip_phases);
       slipped += r.slip_phases > 0 ? 1 : 0;
     }
@@ -53,7 +53,7 @@ TEST(stress_on_a_building, any_period_and_damping_is_finite_with_bounded_work) {
 }
 
 TEST(stress_on_a_building, a_building_much_stiffer_than_a_step_is_rigid) {
-  const PeakSlip rigid = peak_slip(roof_of(0.0, 0.05), block);
+  const SlipPeak rigid = peak_slip(roof_of(0.0, 0.05), block);
   EXPECT_GT(rigid.peak_displacement_m, 0.01);
   for (const double damping : dampings) {
     for (const double period_s : {1e-12, 1e-9, 1e-6})
@@ -70,7 +70,7 @@ TEST(stress_on_a_building, a_building_much_stiffer_than_a_step_is_rigid) {
 TEST(stress_on_a_building, a_building_much_slower_than_the_record_isolates) {
   for (const double period_s : {1e3, 1e6, 1e9}) {
     for (const double damping : dampings) {
-      const PeakSlip r = peak_slip(roof_of(period_s, damping), block);
+      const SlipPeak r = peak_slip(roof_of(period_s, damping), block);
       EXPECT_EQ(r.peak_displacement_m, 0.0) << period_s;
       EXPECT_EQ(r.slip_phases, 0u) << period_s;
     }

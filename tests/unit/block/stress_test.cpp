@@ -15,7 +15,6 @@ namespace glissade {
 namespace stress_test {
 
 using test::made_up_record;
-using test::Outcome;
 using test::Reference;
 using test::Solver;
 using test::solvers;
@@ -44,20 +43,20 @@ double largest(const std::vector<double>& samples) {
   return peak;
 }
 
-void expect_finite_and_bounded(const Scene& scene, const Outcome& r) {
-  for (const double value : {r.peak_displacement_m, r.residual_displacement_m, r.peak_downslope_m,
+void expect_finite_and_bounded(const Scene& scene, const SlipPeak& r) {
+  for (const double value : {r.peak_displacement_m, r.residual.along_m, r.peak_downslope_m,
                              r.peak_upslope_m, r.slip_duration_s}) {
     EXPECT_TRUE(std::isfinite(value));
   }
   EXPECT_EQ(r.peak_displacement_m, std::max(r.peak_downslope_m, r.peak_upslope_m));
-  EXPECT_LE(r.residual_displacement_m, r.peak_downslope_m);
-  EXPECT_GE(r.residual_displacement_m, -r.peak_upslope_m);
+  EXPECT_LE(r.residual.along_m, r.peak_downslope_m);
+  EXPECT_GE(r.residual.along_m, -r.peak_upslope_m);
   // Drives are lines: each direction starts at most once in a piece of an interval, and lifting off
   // cuts one interval into two pieces.
   EXPECT_LE(r.slip_phases, (r.uplift ? 4 : 2) * scene.a.size());
 }
 
-void expect_fifty_digits(const Scene& scene, const Outcome& r, const Reference& exact) {
+void expect_fifty_digits(const Scene& scene, const SlipPeak& r, const Reference& exact) {
   const double down = static_cast<double>(exact.down), up = static_cast<double>(exact.up),
                slip = static_cast<double>(exact.slip);
   double tolerance = relative_tolerance * std::max(down, up);
@@ -73,7 +72,7 @@ void expect_fifty_digits(const Scene& scene, const Outcome& r, const Reference& 
   }
   EXPECT_NEAR(r.peak_downslope_m, down, tolerance);
   EXPECT_NEAR(r.peak_upslope_m, up, tolerance);
-  EXPECT_NEAR(r.residual_displacement_m, slip, tolerance);
+  EXPECT_NEAR(r.residual.along_m, slip, tolerance);
 }
 
 /// How many of the scenes made the block slip: none would test nothing.
@@ -84,7 +83,7 @@ int expect_all_stand(const std::vector<Scene>& scenes) {
     slipped += exact.down + exact.up > 0 ? 1 : 0;
     for (const Solver& solver : solvers()) {
       SCOPED_TRACE(scene.name + ", " + solver.name);
-      const Outcome r = solver.solve(scene.roof(), scene.block);
+      const SlipPeak r = solver.solve(scene.roof(), scene.block);
       expect_finite_and_bounded(scene, r);
       expect_fifty_digits(scene, r, exact);
     }
@@ -165,9 +164,9 @@ TEST(stress, coasting_just_above_critical_friction_ends_and_below_is_flagged) {
   EXPECT_GT(exact, 1e9);
   for (const Solver& solver : solvers()) {
     SCOPED_TRACE(solver.name);
-    const Outcome stops = solver.solve({0.005, a}, above),
-                  goes_on = solver.solve({0.005, a}, below);
-    EXPECT_NEAR(stops.residual_displacement_m, exact, 1e-4 * exact);
+    const SlipPeak stops = solver.solve({0.005, a}, above),
+                   goes_on = solver.solve({0.005, a}, below);
+    EXPECT_NEAR(stops.residual.along_m, exact, 1e-4 * exact);
     EXPECT_FALSE(stops.free_sliding);
     EXPECT_TRUE(goes_on.free_sliding);
     EXPECT_LT(goes_on.peak_displacement_m, 100.0);  // as it was at the last sample
@@ -313,21 +312,21 @@ TEST(stress, subnormal_samples) {
   for (const Solver& solver : solvers()) {
     SCOPED_TRACE(solver.name);
     for (const double slope : {0.0, 0.1}) {
-      const Outcome sticking = solver.solve({0.005, a}, {.friction = 0.3, .slope_rad = slope});
+      const SlipPeak sticking = solver.solve({0.005, a}, {.friction = 0.3, .slope_rad = slope});
       EXPECT_EQ(sticking.peak_displacement_m, 0.0);
       EXPECT_EQ(sticking.slip_phases, 0u);
     }
-    const Outcome loose = solver.solve({0.005, a}, {.friction = 0.0});
+    const SlipPeak loose = solver.solve({0.005, a}, {.friction = 0.0});
     expect_finite_and_bounded({"", a}, loose);
     EXPECT_LE(loose.peak_displacement_m, 0.5 * 1e-310 * 1.5 * 1.5);  // of 1e-310 all the time
     // Among ordinary samples they are zeros.
     std::vector<double> mixed = made_up_record(300, 13, 8.0), zeros = mixed;
     for (std::size_t i = 0; i < mixed.size(); i += 3) mixed[i] = i % 2 ? 5e-324 : -1e-310;
     for (std::size_t i = 0; i < zeros.size(); i += 3) zeros[i] = 0.0;
-    const Outcome r = solver.solve({0.005, mixed}, {.friction = 0.3}),
-                  s = solver.solve({0.005, zeros}, {.friction = 0.3});
+    const SlipPeak r = solver.solve({0.005, mixed}, {.friction = 0.3}),
+                   s = solver.solve({0.005, zeros}, {.friction = 0.3});
     EXPECT_EQ(r.peak_displacement_m, s.peak_displacement_m);
-    EXPECT_EQ(r.residual_displacement_m, s.residual_displacement_m);
+    EXPECT_EQ(r.residual.along_m, s.residual.along_m);
   }
 }
 
@@ -348,9 +347,9 @@ TEST(stress, ten_million_samples) {
   EXPECT_GT(once.slip, 0.0);
   for (const Solver& solver : solvers()) {
     SCOPED_TRACE(solver.name);
-    const Outcome r = solver.solve({0.01, a}, block);
+    const SlipPeak r = solver.solve({0.01, a}, block);
     EXPECT_EQ(r.slip_phases, cycles);
-    EXPECT_NEAR(r.residual_displacement_m, exact, 0.5 * eps * cycles * exact);
+    EXPECT_NEAR(r.residual.along_m, exact, 0.5 * eps * cycles * exact);
     EXPECT_NEAR(r.slip_duration_s, static_cast<double>(once.duration * cycles),
                 0.5 * eps * cycles * r.slip_duration_s);
   }

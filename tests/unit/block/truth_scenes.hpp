@@ -102,7 +102,7 @@ inline std::vector<double> numbers(const BuildingSlip& r) {
           r.peak_roof_displacement_m[0], r.peak_roof_displacement_m[1]};
 }
 
-/// Largest difference in any displacement, relative to the peak; for TwoAxisResult or TwoAxisPeak.
+/// Largest difference in any displacement, relative to the peak; for SlipResult or BuildingPeak.
 template <class Result>
 double error_of(const Result& r, const TwoAxisTruth& truth) {
   const auto off = [](double x, Long exact) { return std::abs(static_cast<double>(x - exact)); };

@@ -25,7 +25,7 @@ TEST(slide_on_building, at_1e_10_is_the_independent_solver_to_1e_9_above_10_um) 
         OnBuilding scene = test::truth_scene(random, roof, law, 160);
         scene.tolerance = 1e-10;
         const TwoAxisTruth truth(test::as_truth(scene));
-        const TwoAxisResult r = scene.result().slip;
+        const SlipResult r = scene.result().slip;
         EXPECT_EQ(r.uplift, truth.uplift);
         if (truth.peak_m < 1e-5L) continue;
         ++slid;
@@ -92,7 +92,7 @@ TEST(peak_slip_two_axes, is_the_independent_solver_where_that_is_hard) {
     const TwoAxisScene batch{
         scene.building, scene.block, {{scene.factor, scene.factor}, scene.factor}};
     for (const double tolerance : {1e-6, 1e-8}) {
-      TwoAxisPeak peak;
+      BuildingPeak peak;
       peak_slip_two_axes(ground, {&batch, 1}, {&peak, 1}, tolerance);
       EXPECT_LE(test::error_of(peak, truth), 10.0 * tolerance) << hard.seed;
     }

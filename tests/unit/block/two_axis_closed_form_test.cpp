@@ -49,7 +49,7 @@ TEST(slide_two_axis, a_block_thrown_across_a_slope_bends_down_and_stops) {
   const double cosine = std::cos(slope);
   std::vector<double> along(8, 0.0), across(8, 0.0);
   across[1] = -speed_mps / dt_s;  // a triangle of area v0
-  const TwoAxisResult r = slide_two_axis({dt_s, {along, across}}, {{mu, mu}, slope}, 1e-9);
+  const SlipResult r = slide_two_axis({dt_s, {along, across}}, {{mu, mu}, slope}, 1e-9);
   const double n = mu * g * cosine, d = g * std::sin(slope), margin = n * n - d * d;
   EXPECT_NEAR(r.slip_duration_s, n * speed_mps / margin, 1e-5);
   const double beta = 2.0 * n * speed_mps / (4.0 * n * n - d * d);
@@ -69,7 +69,7 @@ TEST(slide_two_axis, without_friction_the_block_stays_where_it_is_while_the_roof
     }
     return u;
   };
-  const TwoAxisResult r = slide_two_axis({dt_s, {x, y}}, {});
+  const SlipResult r = slide_two_axis({dt_s, {x, y}}, {});
   EXPECT_TRUE(r.free_sliding);
   // Trailing zeros are trimmed: the last interval, down to zero, is the record's own.
   EXPECT_NEAR(r.residual.along_m, -roof_displacement_m(x), 1e-14);

@@ -41,7 +41,7 @@ Errors errors_of(Law law) {
       if (truth.peak_m < 1e-5L) continue;
       const TwoAxisScene batch{
           scene.building, scene.block, {{scene.factor, scene.factor}, scene.factor}};
-      TwoAxisPeak peak;
+      BuildingPeak peak;
       peak_slip_two_axes(scene.ground(), {&batch, 1}, {&peak, 1});
       errors.scalar.push_back(test::error_of(scene.result().slip, truth));
       errors.lanes.push_back(test::error_of(peak, truth));

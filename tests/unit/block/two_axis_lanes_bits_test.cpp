@@ -54,7 +54,7 @@ TEST(peak_slip_two_axes, the_mirror_image_across_the_slope_is_the_same_to_the_bi
     }
     const auto peaks = solve(ground_of(16), scenes);
     auto images = solve(ground_of(16), mirrored);
-    for (TwoAxisPeak& p : images) p.residual.across_m = -p.residual.across_m;
+    for (BuildingPeak& p : images) p.residual.across_m = -p.residual.across_m;
     EXPECT_EQ(numbers(images), numbers(peaks));
   }
 }

@@ -51,7 +51,7 @@ TEST(two_axis_lanes_on_standard_motions, keeps_the_tolerance) {
       scenes.push_back(scene_of(x, i / 2 + k, 0.5, 0.0));
       scenes.push_back(scene_of(x, i / 2 + k, 0.5, 0.05));
     }
-    std::vector<TwoAxisPeak> peaks(scenes.size());
+    std::vector<BuildingPeak> peaks(scenes.size());
     peak_slip_two_axes(ground, scenes, peaks, 1e-6);
     for (std::size_t k = 0; k < scenes.size(); ++k) {
       const TwoAxisScene& s = scenes[k];

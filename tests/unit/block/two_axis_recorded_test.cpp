@@ -66,7 +66,7 @@ TEST(two_axes_recorded, a_history_whose_steps_become_shorter_and_shorter_is_the_
     const TwoAxisScene scene{{.horizontal = {axis, axis}, .yielding = {}, .mass_ratio = 0.05},
                              {{c.friction, c.friction}, 1.19 * rad_per_deg, 0.0},
                              {{c.factor, c.factor}, c.factor}};
-    TwoAxisPeak peak;
+    BuildingPeak peak;
     peak_slip_two_axes(ground, {&scene, 1}, {&peak, 1});
     const double scalar_m = slide_on_building(ground, scene.factors, scene.building, scene.block)
                                 .slip.peak_displacement_m;
@@ -97,7 +97,7 @@ TEST(two_axes_recorded, is_the_independent_solver_where_the_load_is_near_frictio
       const BuildingSlip r =
           slide_on_building(ground, scene.factors, building, scene.block, tolerance);
       EXPECT_LE(test::error_of(r.slip, truth), 2.0 * tolerance) << c.pga_g;
-      TwoAxisPeak peak;
+      BuildingPeak peak;
       peak_slip_two_axes(ground, {&scene, 1}, {&peak, 1}, tolerance);
       EXPECT_LE(test::error_of(peak, truth), 2.0 * tolerance) << c.pga_g;
     }
@@ -118,7 +118,7 @@ TEST(two_axes_recorded, a_slow_block_that_the_load_turns_does_not_come_to_rest) 
   const BuildingGround ground = motion.ground();
   const double truth_m = slide_on_building(ground, scene.factors, scene.building, scene.block, 1e-9)
                              .slip.peak_displacement_m;
-  TwoAxisPeak peak;
+  BuildingPeak peak;
   peak_slip_two_axes(ground, {&scene, 1}, {&peak, 1}, 1e-6);
   EXPECT_NEAR(peak.peak_displacement_m, truth_m, 2e-6 * truth_m);
 }

@@ -151,7 +151,7 @@ TEST(clearance, a_rigid_building_is_the_block_on_the_ground_in_every_orientation
     for (double& x : a[0]) x *= along;
     for (double& x : a[1]) x *= across;
     const auto axis = static_cast<std::size_t>(orientation_at(results, o).slope_axis);
-    const TwoAxisResult direct = slide_two_axis(
+    const SlipResult direct = slide_two_axis(
         {.dt_s = motion.dt_s,
          .horizontal_mps2 = {a[0], a[1]},
          .vertical_mps2 = motion.vertical_mps2},

@@ -220,7 +220,7 @@ TEST(execute_two_axes, gives_the_slip_of_the_full_model_by_the_study_s_measure) 
   int slid = 0;
   for_each_history(srss, [&](std::size_t record, std::size_t i, std::size_t level) {
     const OnTwoAxes by_hand(plan, record, i, level);
-    const TwoAxisResult expected =
+    const SlipResult expected =
         slide_on_building(by_hand.ground, by_hand.factors, by_hand.building, by_hand.block).slip;
     EXPECT_NEAR(srss.displacement_m(record, i, level), srss_of_maxima_m(expected),
                 1e-5 * srss_of_maxima_m(expected));

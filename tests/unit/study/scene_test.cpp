@@ -33,14 +33,13 @@ TEST(scene, follows_the_ring_down_far_enough_for_a_block_still_on_its_way) {
         const Building building{.horizontal = {period, 0.05}};
         const Block block{.friction = 0.2, .slope_rad = slope_deg * rad_per_deg};
         RoofMotionOptions longer = follow_roof({&block, 1}, 1.5);
-        const double residual =
-            slide_on(building, ground, block, 1.5, longer).residual_displacement_m;
-        const double cut = slide_on(building, ground, block, 1.5, {}).residual_displacement_m;
+        const double residual = slide_on(building, ground, block, 1.5, longer).residual.along_m;
+        const double cut = slide_on(building, ground, block, 1.5, {}).residual.along_m;
         longer.quiet_horizontal_mps2 *= 1e-3;  // follow it a hundred times deeper
         const SlipResult all = slide_on(building, ground, block, 1.5, longer);
         if (all.peak_displacement_m < 1e-3) continue;
-        worst = std::max(
-            worst, std::abs(residual - all.residual_displacement_m) / all.peak_displacement_m);
+        worst =
+            std::max(worst, std::abs(residual - all.residual.along_m) / all.peak_displacement_m);
         moved_after += std::abs(cut - residual) > 1e-3 * all.peak_displacement_m ? 1 : 0;
       }
     }

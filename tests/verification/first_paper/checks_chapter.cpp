@@ -13,14 +13,13 @@
 namespace glissade::verification {
 namespace {
 
-using test::Outcome;
 using test::Solver;
 
 constexpr double g = standard_gravity_mps2;
 const std::string check = "physical check ";
 
-Outcome by_published_scheme(const RoofAcceleration& roof, const Block& block) {
-  return test::outcome_of(slide_rodriguez_nikl(roof, block, 64));
+SlipPeak by_published_scheme(const RoofAcceleration& roof, const Block& block) {
+  return slide_rodriguez_nikl(roof, block, 64);
 }
 
 /// The two that are exact, and the paper's own.
@@ -94,7 +93,7 @@ std::vector<Case> slides_down_a_still_slope() {
   double exact = 0.0, published = 0.0;
   for (const int t : {1, 2, 5, 10, 20}) {
     const auto slip_m = [&](const Solver& solver) {
-      return solver.solve({0.01, still(t)}, block).residual_displacement_m;
+      return solver.solve({0.01, still(t)}, block).residual.along_m;
     };
     for (const Solver& solver : test::solvers())
       exact = worse(exact, std::abs(slip_m(solver) / expected_m(t) - 1.0));
@@ -104,7 +103,7 @@ std::vector<Case> slides_down_a_still_slope() {
   }
   const std::string name = "slides down a still slope of 7 deg with mu 0.1";
   return {compare({name + ", slide()", "slip in plan after 10 s, m", formula},
-                  {three_solvers()[0].solve({0.01, still(10)}, block).residual_displacement_m,
+                  {three_solvers()[0].solve({0.01, still(10)}, block).residual.along_m,
                    expected_m(10.0), 1e-12}),
           limit({name + ", after 1, 2, 5, 10 and 20 s, slide() and peak_slip()", "slip in plan",
                  formula},
@@ -115,7 +114,7 @@ std::vector<Case> slides_down_a_still_slope() {
           limit({name + ", published scheme, P = 64", "slip in plan after 10 s",
                  formula + "; its first substep makes 1.4e-4 of it"},
                 {"relative difference",
-                 std::abs(by_published_scheme({0.01, still(10)}, block).residual_displacement_m /
+                 std::abs(by_published_scheme({0.01, still(10)}, block).residual.along_m /
                               expected_m(10.0) -
                           1.0),
                  2e-4})};
@@ -126,13 +125,13 @@ std::vector<Case> slides_down_a_still_slope() {
 std::vector<Case> differs_by_the_slopes_sign(const Suite& suite) {
   const RoofAcceleration roof = at_one_g(suite.motions.front());
   double peak = INFINITY, residual = INFINITY, agree = 0.0;
-  const Outcome exact = three_solvers()[0].solve(roof, {0.4, 4.0 * rad_per_deg});
+  const SlipPeak exact = three_solvers()[0].solve(roof, {0.4, 4.0 * rad_per_deg});
   for (const Solver& solver : three_solvers()) {
-    const Outcome down = solver.solve(roof, {0.4, 4.0 * rad_per_deg});
-    const Outcome up = solver.solve(roof, {0.4, -4.0 * rad_per_deg});
+    const SlipPeak down = solver.solve(roof, {0.4, 4.0 * rad_per_deg});
+    const SlipPeak up = solver.solve(roof, {0.4, -4.0 * rad_per_deg});
     const auto off = [](double a, double b) { return std::abs(a / b - 1.0); };
     peak = std::min(peak, off(up.peak_displacement_m, down.peak_displacement_m));
-    residual = std::min(residual, off(up.residual_displacement_m, down.residual_displacement_m));
+    residual = std::min(residual, off(up.residual.along_m, down.residual.along_m));
     agree = worse(agree, off(down.peak_displacement_m, exact.peak_displacement_m));
   }
   const std::string name = "slopes of +4 and -4 deg, mu 0.4, first motion of suite level 4 at 1 g";

@@ -26,7 +26,7 @@ LinkModel published(const std::string& name, int substeps) {
   return {name,
           [substeps](const RoofAcceleration& roof, const Block& block) {
             const SlipResult r = slide_rodriguez_nikl(roof, block, substeps);
-            return test::LinkSlip{r.peak_displacement_m, r.residual_displacement_m};
+            return test::LinkSlip{r.peak_displacement_m, r.residual};
           },
           {}};
 }
@@ -86,8 +86,8 @@ Spread spread(const std::vector<LinkRun>& runs, const Selection& selected,
 }
 
 double residual_error_m(const LinkRun& run, Model model) {
-  return std::abs(std::abs(run.by_model[model].residual_displacement_m) -
-                  std::abs(run.exact.residual_displacement_m));
+  return std::abs(std::abs(run.by_model[model].residual.along_m) -
+                  std::abs(run.exact.residual.along_m));
 }
 
 }  // namespace glissade::verification

@@ -20,16 +20,15 @@ void draw_roof(const std::vector<LinkRun>& runs, const Motion& first, double slo
     const double mu = lowest + (highest - lowest) * i / points;
     const SlipResult r = slide(at_one_g(first), LinkScene{mu, slope_deg}.block());
     script += fmt::format("{} {} {}\n", mu, 1e3 * r.peak_displacement_m,
-                          1e3 * std::abs(r.residual_displacement_m));
+                          1e3 * std::abs(r.residual.along_m));
   }
   script += "EOD\n$models << EOD\n";
   for (const LinkRun& run : runs) {
     if (run.motion > 0 || run.scene.slope_deg != slope_deg) continue;
     const test::LinkSlip &link = run.by_model[paper_link], &scheme = run.by_model[scheme_64];
-    script +=
-        fmt::format("{} {} {} {} {}\n", run.scene.friction, 1e3 * link.peak_displacement_m,
-                    1e3 * std::abs(link.residual_displacement_m), 1e3 * scheme.peak_displacement_m,
-                    1e3 * std::abs(scheme.residual_displacement_m));
+    script += fmt::format("{} {} {} {} {}\n", run.scene.friction, 1e3 * link.peak_displacement_m,
+                          1e3 * std::abs(link.residual.along_m), 1e3 * scheme.peak_displacement_m,
+                          1e3 * std::abs(scheme.residual.along_m));
   }
   script += fmt::format(
       "EOD\nset title '{}'\nset xlabel 'friction coefficient'\nset ylabel 'relative deflection in "

@@ -13,11 +13,11 @@ struct Slips {
   double residual_m, peak_m;
 };
 Slips exact(const LinkRun& run) {
-  return {std::abs(run.exact.residual_displacement_m), run.exact.peak_displacement_m};
+  return {std::abs(run.exact.residual.along_m), run.exact.peak_displacement_m};
 }
 Slips by(const LinkRun& run, Model model) {
   const test::LinkSlip& slip = run.by_model[model];
-  return {std::abs(slip.residual_displacement_m), slip.peak_displacement_m};
+  return {std::abs(slip.residual.along_m), slip.peak_displacement_m};
 }
 
 double percent(double value, double baseline) { return 100.0 * (value / baseline - 1.0); }

@@ -9,7 +9,7 @@
 namespace glissade::verification {
 
 /// Largest difference in any displacement of the block, relative to the peak and 0.1 mm.
-inline double displacement_difference(const TwoAxisResult& found, const TwoAxisResult& expected) {
+inline double displacement_difference(const SlipResult& found, const SlipResult& expected) {
   const double size = expected.peak_displacement_m + 1e-4;
   double worst = 0.0;
   for (const double d : {found.peak_displacement_m - expected.peak_displacement_m,

@@ -105,7 +105,7 @@ std::vector<Case> coasting() {
     scene.first[1] = -speed_mps / scene.dt_s;
     scene.block.friction = {mu, mu};
     scene.block.law = law;
-    const TwoAxisResult r = scene.result().slip;
+    const SlipResult r = scene.result().slip;
     const double fast = law.fast_over_slow, rate = law.rate_s_per_m;
     const auto slows = [&](double v) {
       return g * mu * (fast - (fast - 1.0) * std::exp(-rate * v));

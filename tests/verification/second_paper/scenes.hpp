@@ -64,7 +64,7 @@ double slip_difference(const Found& found, const Expected& expected) {
   for (const double d : {found.peak_displacement_m - expected.peak_displacement_m,
                          found.peak_downslope_m - expected.peak_downslope_m,
                          found.peak_upslope_m - expected.peak_upslope_m,
-                         found.residual_displacement_m - expected.residual_displacement_m})
+                         found.residual.along_m - expected.residual.along_m})
     worst = worse(worst, std::abs(d) / size);
   return worst;
 }

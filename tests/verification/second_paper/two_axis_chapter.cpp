@@ -30,12 +30,12 @@ Case one_axis() {
           for (const double across : {1.0, 0.6}) {
             const auto a = made_up(seed, peak_mps2), w = made_up(seed + 100, 3.0);
             const SlipResult one = slide({0.005, a, w}, {mu, slope_deg * rad_per_deg});
-            const TwoAxisResult two =
+            const SlipResult two =
                 slide_two_axis({0.005, {a, none}, w}, {{mu, across * mu}, slope_deg * rad_per_deg});
             const double size = one.peak_displacement_m + 1e-4;
             for (const double d :
                  {two.peak_displacement_m - one.peak_displacement_m,
-                  two.residual.along_m - one.residual_displacement_m,
+                  two.residual.along_m - one.residual.along_m,
                   two.peak_downslope_m - one.peak_downslope_m, two.residual.across_m})
               worst = worse(worst, std::abs(d) / size);
           }
@@ -54,7 +54,7 @@ Case coupled_one_axis() {
     scene.tolerance = 1e-7;
     const double toward = k % 2 == 0 ? -1.0 : 1.0;
     scene.block.azimuth_rad = toward < 0.0 ? pi : 0.0;
-    const TwoAxisResult two = scene.result().slip;
+    const SlipResult two = scene.result().slip;
     const SlipResult one =
         slide_coupled(
             {scene.dt_s, scene.first, scene.up}, {scene.factor, scene.factor},
@@ -62,9 +62,8 @@ Case coupled_one_axis() {
             {.friction = scene.block.friction.along, .slope_rad = toward * scene.block.slope_rad})
             .slip;
     const double size = one.peak_displacement_m + 1e-4;
-    for (const double d :
-         {two.peak_displacement_m - one.peak_displacement_m,
-          two.residual.along_m - one.residual_displacement_m, two.residual.across_m})
+    for (const double d : {two.peak_displacement_m - one.peak_displacement_m,
+                           two.residual.along_m - one.residual.along_m, two.residual.across_m})
       worst = worse(worst, std::abs(d) / size);
   }
   return limit({"slide_on_building() to 1e-7, ground that moves along the slope, 40 made-up scenes "
@@ -89,11 +88,11 @@ OnBuilding round_building(double slope_deg) {
 /// On a flat roof no direction is marked.
 Case round_scene() {
   OnBuilding scene = round_building(0.0);
-  const TwoAxisResult one = scene.result().slip;
+  const SlipResult one = scene.result().slip;
   double worst = 0.0;
   for (const double angle : {0.3, 0.5 * pi, 2.0, 4.0}) {
     scene.block.azimuth_rad = angle;
-    const TwoAxisResult r = scene.result().slip;
+    const SlipResult r = scene.result().slip;
     const double c = std::cos(angle), s = std::sin(angle), size = one.peak_displacement_m;
     for (const double d :
          {r.peak_displacement_m - one.peak_displacement_m, r.path_length_m - one.path_length_m,
@@ -110,7 +109,7 @@ Case round_scene() {
 /// With motion and slope turned together.
 Case turned_scene() {
   const OnBuilding scene = round_building(2.0);
-  const TwoAxisResult one = scene.result().slip;
+  const SlipResult one = scene.result().slip;
   double worst = 0.0;
   for (const double angle : {0.7, 2.0}) {
     OnBuilding turned = scene;
@@ -132,7 +131,7 @@ Case srss_of_maxima() {
   int wrong = 0, scenes = 0;
   for (unsigned k = 0; k < 40; ++k) {
     const OnBuilding scene(random, k, 400);
-    const TwoAxisResult r =
+    const SlipResult r =
         slide_two_axis({scene.dt_s, {scene.first, scene.second}, scene.up}, scene.block);
     if (r.peak_displacement_m == 0.0) continue;
     ++scenes;

@@ -26,7 +26,7 @@ Case curved_stop() {
         const double slope = share * std::atan(mu), dt_s = 1e-9;
         std::vector<double> along(8, 0.0), across(8, 0.0);
         across[1] = -speed_mps / dt_s;
-        const TwoAxisResult r = slide_two_axis({dt_s, {along, across}}, {{mu, mu}, slope}, 1e-9);
+        const SlipResult r = slide_two_axis({dt_s, {along, across}}, {{mu, mu}, slope}, 1e-9);
         const double n = mu * g * std::cos(slope), d = g * std::sin(slope), margin = n * n - d * d;
         const double beta = 2.0 * n * speed_mps / (4.0 * n * n - d * d);
         worst = worse(worst, std::abs(r.slip_duration_s * margin / (n * speed_mps) - 1.0));
@@ -84,7 +84,7 @@ Case yielding_by_the_midpoint_rule() {
     OnBuilding scene = quiet_scene(random, k);
     scene.building.yielding = {Yielding{2.5, 0.05}, Yielding{2.0, 0.0}};
     const test::OnBuildingReference other(scene, 100, 4.0);
-    const TwoAxisResult r = scene.result().slip;
+    const SlipResult r = scene.result().slip;
     for (const double d : {r.peak_displacement_m - other.peak_m, r.residual.along_m - other.along_m,
                            r.residual.across_m - other.across_m})
       worst = worse(worst, std::abs(d) / (other.peak_m + 1e-4));

@@ -79,7 +79,7 @@ struct Roof {
             .settle_deceleration_mps2 = 0.2,
             .steps_per_period = 4000};
   }
-  PeakSlip by_tables() const {
+  SlipPeak by_tables() const {
     return peak_slip(tabulate_roof(ground(), building, follow()), block,
                      {motion.scale, motion.scale});
   }
@@ -88,7 +88,7 @@ struct Roof {
     return slide({roof.dt_s, roof.horizontal_mps2, roof.vertical_mps2, motion.scale, motion.scale},
                  block);
   }
-  TwoAxisResult on_building() const {
+  SlipResult on_building() const {
     test::OnBuilding scene;
     scene.dt_s = motion.dt_s;
     scene.first = motion.horizontal_mps2[0].copy();
@@ -112,13 +112,12 @@ std::vector<Case> three_ways(const Suite& suite) {
         const Roof roof{suite.motions[m],
                         {{0.4, 0.05}, {period_s, 0.05}},
                         {.friction = 0.3, .slope_rad = slope_deg * rad_per_deg}};
-        const PeakSlip tables = roof.by_tables();
-        const TwoAxisResult other = roof.on_building();
+        const SlipPeak tables = roof.by_tables();
+        const SlipResult other = roof.on_building();
         const double size = tables.peak_displacement_m + 1e-4;
         ++scenes;
         full = worse(full, std::abs(other.peak_displacement_m - tables.peak_displacement_m) / size);
-        full =
-            worse(full, std::abs(other.residual.along_m - tables.residual_displacement_m) / size);
+        full = worse(full, std::abs(other.residual.along_m - tables.residual.along_m) / size);
         samples = worse(samples, slip_difference(tables, roof.by_samples()));
       }
   const std::string name = fmt::format(
@@ -140,7 +139,7 @@ Case rigid_vertical(const Suite& suite) {
   for (std::size_t m = 0; m < 2; ++m) {
     const Motion& motion = suite.motions[m];
     const Roof roof{motion, {{0.0, 0.05}, {0.0, 0.05}}, {.friction = 0.3}};
-    const PeakSlip through = roof.by_tables(),
+    const SlipPeak through = roof.by_tables(),
                    direct = peak_slip(
                        RoofTable(motion.dt_s, motion.horizontal_mps2[0], motion.vertical_mps2),
                        roof.block, {motion.scale, motion.scale});

@@ -142,7 +142,7 @@ Case fifty_digits() {
     const double slip = r.slip.peak_displacement_m + 1e-4;
     add(r.slip.peak_downslope_m, exact.down, slip);
     add(r.slip.peak_upslope_m, exact.up, slip);
-    add(r.slip.residual_displacement_m, exact.slip, slip);
+    add(r.slip.residual.along_m, exact.slip, slip);
     add(r.residual_roof_displacement_m, exact.residual_roof, r.peak_roof_displacement_m);
   }
   return limit({"3 made-up scenes with a vertical", "slip, residual of the roof",
@@ -187,13 +187,13 @@ std::vector<Case> stays_elastic(const std::vector<CoupledScene>& scenes) {
         std::pow(omega_radps(s.building.horizontal.period_s), 2) * elastic.peak_roof_displacement_m;
     s.building.yielding = {demand * (1.0 + 1e-12), 0.05};
     const CoupledResult strong = result();
-    differing +=
-        strong.slip.peak_displacement_m == elastic.slip.peak_displacement_m &&
-                strong.slip.residual_displacement_m == elastic.slip.residual_displacement_m &&
-                strong.peak_base_shear == elastic.peak_base_shear &&
-                strong.energy.hysteretic_m2ps2 == 0.0 && strong.residual_roof_displacement_m == 0.0
-            ? 0
-            : 1;
+    differing += strong.slip.peak_displacement_m == elastic.slip.peak_displacement_m &&
+                         strong.slip.residual.along_m == elastic.slip.residual.along_m &&
+                         strong.peak_base_shear == elastic.peak_base_shear &&
+                         strong.energy.hysteretic_m2ps2 == 0.0 &&
+                         strong.residual_roof_displacement_m == 0.0
+                     ? 0
+                     : 1;
     s.building.yielding = {demand, 0.05};
     const CoupledResult at_demand = result();
     touched = worse(touched, slip_difference(at_demand.slip, elastic.slip));

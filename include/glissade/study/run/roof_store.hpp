@@ -39,7 +39,7 @@ bool is_roof_unknown(const Plan& plan, const Case& c);
 
 /// Points of the curve F of src/theory.md: on a flat roof with no vertical the peak displacement is
 /// lambda F(mu / lambda), so a point serves every history with the same quotient.
-using SlipCurve = std::unordered_map<std::uint64_t, PeakSlip>;
+using SlipCurve = std::unordered_map<std::uint64_t, SlipPeak>;
 
 /// Makes the roofs of a plan's buildings, each once: as long as the same record is used, its
 /// ground, its vertical, and, where its buildings are few, its roofs and curves are kept.

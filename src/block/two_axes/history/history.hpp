@@ -58,7 +58,7 @@ class LaneHistory {
   Next begin(HistoryState& state);
   /// Of a lane at rest, or near its next stop.
   Next event(HistoryState& state);
-  TwoAxisPeak result(const HistoryState& state) const;
+  BuildingPeak result(const HistoryState& state) const;
   const SceneConstants& constants() const { return constants_; }
   /// DistanceCrossings::next2
   double next2() const { return crossings_.next2(); }
@@ -95,7 +95,7 @@ class LaneHistory {
     return state;
   }
   Next start(HistoryState& state);
-  Next go_on_from_rest(HistoryState& state) const;
+  Next go_on_from_rest(HistoryState& state);
 
   // Base shear (shear.cpp).
   bool follows_shear() const { return largest_a_[0] != never; }
@@ -131,6 +131,7 @@ class LaneHistory {
   RoofKind roof_;
   const GroundNodes& ground_;
   std::shared_ptr<const RestTable> table_;
+  double start_s_ = 0.0, duration_s_ = 0.0;  ///< of the last phase; of all
   std::size_t phases_ = 0;
   bool uplift_ = false;
   DistanceCrossings crossings_;

@@ -68,7 +68,8 @@ LaneHistory::Next LaneHistory::start(HistoryState& state) {
 }
 
 /// By a step at whose end the load would not let the block rest: else it might not see it slide.
-LaneHistory::Next LaneHistory::go_on_from_rest(HistoryState& state) const {
+LaneHistory::Next LaneHistory::go_on_from_rest(HistoryState& state) {
+  start_s_ = time_s(state);
   LaneMotion<double>& m = state.motion;
   m.v_s = m.v_y = 0.0;
   m.forced = 1.0;

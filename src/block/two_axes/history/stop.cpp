@@ -177,6 +177,7 @@ void LaneHistory::take_stop(HistoryState& state, const RoofPiece& piece, const S
     return PathPoint{from + fraction * displacement, (rate / stop.time_s) * displacement};
   };
   displace(state, displacement, at, begin_s, stop.time_s);
+  duration_s_ += begin_s + stop.time_s - start_s_;
 }
 
 /// The normal force of a block that slides without friction: it has the sign of that with friction.
@@ -204,14 +205,12 @@ void LaneHistory::crossed(const LaneStates& lanes, std::size_t lane) {
   crossings_.pass(at, lanes.passed.begin_s[lane], end * h, std::sqrt(lanes.motion.farthest2[lane]));
 }
 
-TwoAxisPeak LaneHistory::result(const HistoryState& state) const {
+BuildingPeak LaneHistory::result(const HistoryState& state) const {
   const LaneMotion<double>& m = state.motion;
-  TwoAxisPeak peak;
-  peak.peak_displacement_m = std::sqrt(m.farthest2);
-  peak.peak_by_axis = {std::max(m.ahead_s, m.back_s), std::max(m.ahead_y, m.back_y)};
-  peak.peak_downslope_m = m.ahead_s;
-  peak.peak_upslope_m = m.back_s;
+  BuildingPeak peak;
+  set_peaks({std::sqrt(m.farthest2), 0.0, {m.ahead_s, m.ahead_y}, {m.back_s, m.back_y}}, peak);
   peak.residual = {m.at_s, m.at_y};
+  peak.slip_duration_s = duration_s_;
   peak.slip_phases = phases_;
   peak.uplift = uplift_;
   if (follows_shear())

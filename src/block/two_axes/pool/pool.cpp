@@ -21,19 +21,10 @@ void UnderMotion::by_reference(const Batch& batch, std::size_t k) const {
     const BuildingSlip on_building =
         slide_on_building(ground, scene.factors, scene.building, scene.block, batch.thresholds_m,
                           batch.crossings_of(k), tolerance);
-    const TwoAxisResult& r = on_building.slip;
-    batch.peaks[k] = {r.peak_displacement_m,
-                      r.peak_by_axis,
-                      r.peak_downslope_m,
-                      r.peak_upslope_m,
-                      r.residual,
-                      r.slip_phases,
-                      r.uplift,
-                      r.free_sliding,
-                      scene.base_shear ? on_building.peak_base_shear : std::array{0.0, 0.0},
-                      false};
+    batch.peaks[k] = {on_building.slip,
+                      scene.base_shear ? on_building.peak_base_shear : std::array{0.0, 0.0}};
   } catch (const NotConverged&) {
-    batch.peaks[k] = {.failed = true};
+    batch.peaks[k] = {{}, {}, true};
   }
 }
 

@@ -14,7 +14,7 @@ namespace glissade::block_detail::two_axes {
 /// Scenes under one motion, and where their results go.
 struct Batch {
   std::span<const TwoAxisScene> scenes;
-  std::span<TwoAxisPeak> peaks;
+  std::span<BuildingPeak> peaks;
   std::span<const double> thresholds_m;
   std::span<Crossing> crossings;
 
