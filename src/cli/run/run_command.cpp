@@ -259,8 +259,15 @@ void run_study(RunOptions options, const Communicator& world) {
   if (options.dry_run) return;
 
   const std::uint64_t resumed = done ? done->units : 0;
-  run_units(plan, options.part, options.no_skip ? Skipping::none : Skipping::all,
-            done ? &*done : nullptr, JournalWriter(out, world.rank(), identity), *stop, out, world);
+  UnitRun{.plan = plan,
+          .part = options.part,
+          .skipping = options.no_skip ? Skipping::none : Skipping::all,
+          .at_root = done,
+          .journal = JournalWriter(out, world.rank(), identity),
+          .stop = *stop,
+          .folder = out,
+          .world = world}
+      .run();
   clock.end_phase("histories");
   on_root_threads(world, [&] {
     if (!options.part.is_all()) return end_part(out, options.part, done->units);

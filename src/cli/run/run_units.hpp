@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <filesystem>
+#include <optional>
+
 #include "glissade/io/journal.hpp"
 #include "glissade/parallel/communicator.hpp"
 #include "glissade/study/run/history_assembly.hpp"
@@ -30,11 +33,19 @@ struct RunHistories {
   double other_ranks_mb = 0.0;                    ///< the largest memory of a rank other than root
 };
 
-/// Adds the units of the part that are missing, which the ranks share and journal. Collective.
-/// Throws ExitStatus on every rank where the run is stopped before all are done.
-/// @param all on root, with the units of earlier sessions; null on the other ranks
-void run_units(const Plan& plan, const PlanPart& part, Skipping skipping, RunHistories* all,
-               JournalWriter writer, StopRequest& stop, const std::filesystem::path& folder,
-               const Communicator& world);
+/// The units of a part of the plan that are missing, which the ranks share and journal.
+struct UnitRun {
+  const Plan& plan;
+  const PlanPart& part;
+  Skipping skipping;
+  std::optional<RunHistories>& at_root;  ///< with the units of earlier sessions; none on the others
+  JournalWriter journal;
+  StopRequest& stop;
+  const std::filesystem::path& folder;
+  const Communicator& world;
+
+  /// Collective. Throws ExitStatus on every rank where the run is stopped before all are done.
+  void run();
+};
 
 }  // namespace glissade::cli
