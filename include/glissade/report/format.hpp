@@ -61,6 +61,8 @@ NumberCell p_cell(double p_value);
 
 /// "SEAOC PV1-2012", "ASCE 7-16".
 std::string standard_name(Standard standard);
+/// "checked", "recalled".
+std::string provenance_name(Provenance provenance);
 /// "checked", or "recalled: verify against the standard".
 std::string provenance_label(Provenance provenance);
 /// " (recalled: verify against the standard)"; "" of what was checked.

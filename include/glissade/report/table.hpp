@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -86,6 +88,101 @@ struct Table {
   Table only(const std::vector<std::string>& stems) const;
   /// Its first rows; where it has more, a note says that all are in tables/`file`.csv.
   Table first_rows(std::size_t most, const FileName& file) const;
+};
+
+/// "m/s" of what is "mps" in names.
+std::string unit_text(const std::string& unit);
+
+/// A value with its interval, of two members.
+template <class Thing>
+auto with_interval(double Thing::*value, Interval Thing::*interval) {
+  return [=](const Thing& of) { return Estimate{of.*value, of.*interval}; };
+}
+
+/// A column of tables of several things, and what stands in it.
+template <class Value>
+struct ColumnOf {
+  Column column;
+  Value value;
+
+  operator const Column&() const { return column; }
+};
+
+/// A table of which each row is of some things: of a run and one of its fragilities. The value of a
+/// column is a member of one of them, or a function of one or of all. Numbers of any type are
+/// numbers, yes and no words; an Estimate has its interval. Headings get their unit and " [95 %]".
+template <class... Things>
+struct TableOf : Table {
+  TableOf(FileName file, std::string what) : Table{std::move(file), std::move(what), {}, {}, {}} {}
+
+  Column& text(std::string stem, std::string heading, std::string description, auto value) {
+    return put(text_column(stem, heading, description), value);
+  }
+  Column& number(std::string stem, std::string heading, std::string description, auto value,
+                 const std::string& unit = "") {
+    if (!unit.empty()) heading += ", " + unit_text(unit);
+    return put({stem, unit, heading, ColumnKind::number, description}, value);
+  }
+  Column& count(std::string stem, std::string heading, std::string description, auto value) {
+    return put({stem, "", heading, ColumnKind::count, description}, value);
+  }
+  Column& share(std::string stem, std::string heading, std::string description, auto value) {
+    return put({stem, "", heading, ColumnKind::share, description}, value);
+  }
+  Column& length(std::string stem, std::string heading, std::string description, auto value) {
+    return put({stem, "m", heading + ", m (in)", ColumnKind::length, description}, value);
+  }
+  Column& rate(std::string stem, std::string heading, std::string description, auto value) {
+    return put({stem, "per_year", heading, ColumnKind::rate, description}, value);
+  }
+  Column& put(Column column, auto value) {
+    using Found = std::decay_t<decltype(found(value, std::declval<const Things&>()...))>;
+    if (std::is_base_of_v<Estimate, Found> && column.kind != ColumnKind::text) {
+      column.with_interval = true;
+      column.heading += column.kind == ColumnKind::length ? " [95 %, m]" : " [95 %]";
+    }
+    cells.push_back(
+        [=](const Things&... things) { return cell_of<Found>(found(value, things...)); });
+    return columns.emplace_back(std::move(column));
+  }
+  void put_all(const auto&... shared) { (put(shared.column, shared.value), ...); }
+
+  void add(const Things&... things) {
+    std::vector<Cell> row;
+    for (const auto& cell : cells) row.push_back(cell(things...));
+    Table::add(std::move(row));
+  }
+  /// A row of each thing; or of each owner with each thing that it has.
+  void add_each(const auto& things) {
+    for (const auto& thing : things) add(thing);
+  }
+  void add_each(const auto& owners, auto member) {
+    for (const auto& owner : owners)
+      for (const auto& thing : std::invoke(member, owner)) add(owner, thing);
+  }
+
+ private:
+  std::vector<std::function<Cell(const Things&...)>> cells;
+
+  static decltype(auto) found(const auto& value, const auto& first, const auto&... others) {
+    if constexpr (std::is_invocable_v<decltype(value), decltype(first), decltype(others)...>)
+      return std::invoke(value, first, others...);
+    else if constexpr (std::is_invocable_v<decltype(value), decltype(first)>)
+      return std::invoke(value, first);
+    else
+      return found(value, others...);
+  }
+  template <class T>
+  static Cell cell_of(const T& value) {
+    if constexpr (std::is_same_v<T, bool>)
+      return value ? "yes" : "no";
+    else if constexpr (std::is_arithmetic_v<T>)
+      return static_cast<double>(value);
+    else if constexpr (std::is_enum_v<T>)
+      return to_string(value);
+    else
+      return value;
+  }
 };
 
 /// The names of a column in files, unit included: one, or with its interval three.

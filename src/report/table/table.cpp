@@ -111,14 +111,6 @@ std::string csv_cell(const Column& column, const Cell& cell) {
   return csv + "," + format_exact(interval.low) + "," + format_exact(interval.high);
 }
 
-/// "m/s" of what is "mps" in names.
-std::string unit_text(const std::string& unit) {
-  if (unit == "mps") return "m/s";
-  if (unit == "Jpkg") return "J/kg";
-  if (unit == "per_year") return "1/year";
-  return unit.empty() ? "-" : unit;
-}
-
 /// A text may stand anywhere ("-"); a number without digits of its own only in a column of numbers,
 /// and an interval only in one that has them.
 [[maybe_unused]] bool belongs_in(const Column& column, const Cell& cell) {
@@ -135,6 +127,13 @@ std::string padded(const std::string& text, std::size_t width, ColumnKind kind) 
 }
 
 }  // namespace
+
+std::string unit_text(const std::string& unit) {
+  if (unit == "mps") return "m/s";
+  if (unit == "Jpkg") return "J/kg";
+  if (unit == "per_year") return "1/year";
+  return unit.empty() ? "-" : unit;
+}
 
 std::vector<std::string> file_names(const Column& column) {
   std::vector<std::string> names{with_unit(column.stem, column.unit)};

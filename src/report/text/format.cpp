@@ -134,6 +134,10 @@ std::string standard_name(Standard standard) {
   return standard == Standard::seaoc_pv1_2012 ? "SEAOC PV1-2012" : "ASCE 7-16";
 }
 
+std::string provenance_name(Provenance provenance) {
+  return provenance == Provenance::checked ? "checked" : "recalled";
+}
+
 std::string provenance_label(Provenance provenance) {
   return provenance == Provenance::checked ? "checked" : "recalled: verify against the standard";
 }

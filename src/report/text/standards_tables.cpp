@@ -4,73 +4,54 @@
 #include "glissade/report/format.hpp"
 
 namespace glissade {
-namespace {
-
-std::string mark(Provenance provenance) {
-  return provenance == Provenance::checked ? "checked" : "recalled";
-}
-
-/// A condition that both standards have alike is one row.
-std::vector<Cell> row(const std::string& standard, const CodeCondition& c,
-                      const std::string& clause) {
-  return {standard,
-          c.what,
-          c.limit,
-          c.found,
-          std::string(!c.is_met   ? "-"
-                      : *c.is_met ? "yes"
-                                  : "NO"),
-          clause,
-          mark(c.provenance)};
-}
-
-}  // namespace
-
 Table conditions_table(const ArrayFacts& array) {
-  Table table{
-      "conditions",
-      "Conditions of the prescribed displacements",
-      {text_column("standard", "Standard"), text_column("condition", "Condition"),
-       text_column("limit", "Limit"), text_column("found", "Found"), text_column("is_met", "Met"),
-       text_column("clause", "Clause"), text_column("provision", "Provision")},
-      {},
-      {verify_note}};
-  const std::vector<CodeCondition> asce = conditions_of(Standard::asce7_16, array),
-                                   pv1 = conditions_of(Standard::seaoc_pv1_2012, array);
-  const std::string of_asce = standard_name(Standard::asce7_16),
-                    of_pv1 = standard_name(Standard::seaoc_pv1_2012);
+  using C = CodeCondition;
+  TableOf<C, std::string, std::string> t("conditions",
+                                         "Conditions of the prescribed displacements");
+  t.text("standard", "Standard", "",
+         [](const C&, const std::string& standard, const auto&) { return standard; });
+  t.text("condition", "Condition", "", &C::what);
+  t.text("limit", "Limit", "", &C::limit);
+  t.text("found", "Found", "", &C::found);
+  t.text("is_met", "Met", "", [](const C& of) {
+    return !of.is_met ? "-" : *of.is_met ? "yes" : "NO";
+  });
+  t.text("clause", "Clause", "",
+         [](const C&, const auto&, const std::string& clause) { return clause; });
+  t.text("provision", "Provision", "", [](const C& of) { return provenance_name(of.provenance); });
+  const std::vector<C> asce = conditions_of(Standard::asce7_16, array),
+                       pv1 = conditions_of(Standard::seaoc_pv1_2012, array);
   for (std::size_t i = 0; i < asce.size(); ++i) {
-    if (asce[i].limit == pv1[i].limit) {
-      table.add(row("both", asce[i], asce[i].clause + "; " + pv1[i].clause));
+    if (asce[i].limit == pv1[i].limit) {  // one row
+      t.add(asce[i], "both", asce[i].clause + "; " + pv1[i].clause);
       continue;
     }
-    table.add(row(of_asce, asce[i], asce[i].clause));
-    table.add(row(of_pv1, pv1[i], pv1[i].clause));
+    t.add(asce[i], standard_name(Standard::asce7_16), asce[i].clause);
+    t.add(pv1[i], standard_name(Standard::seaoc_pv1_2012), pv1[i].clause);
   }
-  return table;
+  t.notes = {verify_note};
+  return t;
 }
 
 Table separations_table(const std::vector<StandardSeparations>& standards) {
-  Table table{"separations",
-              "Separations",
-              {text_column("standard", "Standard"),
-               text_column("between", "Between"),
-               {"factor", "", "Factor"},
-               {"separation", "m", "Separation, m (in)", ColumnKind::length},
-               text_column("provision", "Provision")},
-              {},
-              {}};
-  for (const auto& [standard, separations] : standards) {
-    for (const Separation& s : separations) {
-      table.add({standard_name(standard), s.what, s.factor, s.value_m, mark(s.provenance)});
+  using S = Separation;
+  TableOf<std::string, S> t("separations", "Separations");
+  t.text("standard", "Standard", "", [](const std::string& standard) { return standard; });
+  t.text("between", "Between", "", &S::what);
+  t.number("factor", "Factor", "", &S::factor);
+  t.length("separation", "Separation", "", &S::value_m);
+  t.text("provision", "Provision", "", [](const S& s) { return provenance_name(s.provenance); });
+  for (const auto& [of, separations] : standards) {
+    const std::string standard = standard_name(of);
+    for (const S& s : separations) {
+      t.add(standard, s);
       if (!s.basis.empty())
-        table.notes.push_back(standard_name(standard) + ", " + s.what + ": " + s.basis +
-                              " (recalled: verify).");
+        t.notes.push_back(standard + ", " + s.what + ": " + s.basis + " (recalled: verify).");
     }
-    table.notes.push_back(qualifying_parapet(standard) + " (recalled: verify).");
+    t.notes.push_back(qualifying_parapet(of) + " (recalled: verify).");
   }
-  table.notes.emplace_back(verify_note);
-  return table;
+  t.notes.emplace_back(verify_note);
+  return t;
 }
 
 }  // namespace glissade

@@ -56,18 +56,10 @@ std::string level_number(double level) {
 }
 
 Column intensity_column(const Results& results, const std::string& stem, const std::string& heading,
-                        const std::string& description, bool with_interval) {
+                        const std::string& description) {
   const std::string unit = results.measure.unit(), suffix = unit_suffix(unit);
-  return {stem,
-          suffix.empty() ? "" : suffix.substr(1),
-          heading + (unit == "-" ? "" : ", " + unit) + (with_interval ? " [95 %]" : ""),
-          ColumnKind::number,
-          description,
-          with_interval};
-}
-
-Column level_column(const Results& results) {
-  return intensity_column(results, "level", "Level", "intensity level");
+  return {stem, suffix.empty() ? "" : suffix.substr(1), heading + (unit == "-" ? "" : ", " + unit),
+          ColumnKind::number, description};
 }
 
 Column listed_column(const CaseAxis& axis) {

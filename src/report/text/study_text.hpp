@@ -27,26 +27,45 @@ bool differs_by_suite(const Results& results);
 std::string with_unit(const Results& results, const std::string& value);
 /// A column of intensities, its unit in name and heading.
 Column intensity_column(const Results& results, const std::string& stem, const std::string& heading,
-                        const std::string& description = "", bool with_interval = false);
-/// "level"
-Column level_column(const Results& results);
+                        const std::string& description);
+auto intensity_column(const Results& results, const std::string& stem, const std::string& heading,
+                      const std::string& description, auto value) {
+  return ColumnOf{intensity_column(results, stem, heading, description), value};
+}
+// Columns of many tables. Their values are the members of these names, whatever a row is of.
+inline auto level_column(const Results& results) {
+  return intensity_column(results, "level", "Level", "intensity level",
+                          [](const auto& row) -> decltype(row.level) { return row.level; });
+}
 /// Which combination of what the study lists a row is of: by its label, which names its files too,
 /// or by what is listed.
-inline const Column run_column = text_column("run", "Combination", "label in `combinations`"),
-                    condition_column = text_column("condition", "Combination",
-                                                   "which combination of what the study lists");
-inline const Column threshold_column = {"threshold", "m", "Clearance, m (in)", ColumnKind::length,
-                                        "clearance threshold"};
-inline const Column slope_column = {"slope", "deg", "Slope, degrees", ColumnKind::number,
-                                    "slope of the roof"};
+inline const ColumnOf run_column{text_column("run", "Combination", "label in `combinations`"),
+                                 [](const auto& run) -> decltype(run.label) { return run.label; }};
+inline const ColumnOf condition_column{
+    text_column("condition", "Combination", "which combination of what the study lists"),
+    [](const auto& row) -> decltype(row.condition) { return row.condition; }};
+inline const ColumnOf threshold_column{
+    Column{"threshold", "m", "Clearance, m (in)", ColumnKind::length, "clearance threshold"},
+    [](const auto& row) -> decltype(row.threshold_m) { return row.threshold_m; }};
+inline const ColumnOf slope_column{
+    Column{"slope", "deg", "Slope, degrees", ColumnKind::number, "slope of the roof"},
+    [](const auto& row) -> decltype(row.slope_deg) { return row.slope_deg; }};
 /// A standard, what it prescribes at which S_DS, and how well that is known.
-inline const Column standard_column = text_column("standard", "Standard", "standard"),
-                    sds_column = {"sds", "g", "S_DS, g", ColumnKind::number,
-                                  "design spectral acceleration S_DS"},
-                    prescribed_column = {"prescribed", "m", "Prescribed, m (in)",
-                                         ColumnKind::length, "prescribed displacement"},
-                    provision_column =
-                        text_column("provision", "Provision", "how well the provision is known");
+inline const ColumnOf standard_column{text_column("standard", "Standard", "standard"),
+                                      [](const auto& row) -> decltype(standard_name(row.standard)) {
+                                        return standard_name(row.standard);
+                                      }};
+inline const ColumnOf sds_column{
+    Column{"sds", "g", "S_DS, g", ColumnKind::number, "design spectral acceleration S_DS"},
+    [](const auto& row) -> decltype(row.sds_g) { return row.sds_g; }};
+inline const ColumnOf prescribed_column{
+    Column{"prescribed", "m", "Prescribed, m (in)", ColumnKind::length, "prescribed displacement"},
+    [](const auto& row) -> decltype(row.prescribed.value_m) { return row.prescribed.value_m; }};
+inline const ColumnOf provision_column{
+    text_column("provision", "Provision", "how well the provision is known"),
+    [](const auto& row) -> decltype(provenance_name(row.prescribed.provenance)) {
+      return provenance_name(row.prescribed.provenance);
+    }};
 /// The column of a quantity: "Building period, s".
 Column listed_column(const CaseAxis& axis);
 Column listed_column(const Parameter& parameter);

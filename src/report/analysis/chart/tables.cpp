@@ -18,21 +18,17 @@ namespace {
 constexpr auto gravity_note =
     "inf: friction cannot stop the array (tan(slope) >= mu), no clearance is enough.";
 
-const Column mu_column = {"mu", "", "Friction", ColumnKind::number, "coefficient of friction"};
+const ColumnOf mu_column{
+    Column{"mu", "", "Friction", ColumnKind::number, "coefficient of friction"}, &ChartPoint::mu};
 
-Column length_column(const ChartStatistic& statistic) {
-  return {statistic.stem,
-          "m",
-          statistic.heading + ", m (in)",
-          ColumnKind::length,
-          "largest over the building periods",
-          statistic.stem == "mean_slip"};
-}
-
-Cell slip_cell(const ChartStatistic& statistic, const ChartPoint& point) {
-  const double slip_m = statistic.slip_m(point);
-  if (statistic.stem == "mean_slip") return Estimate{slip_m, point.mean_interval};
-  return slip_m;
+/// The mean with its interval.
+void put_statistic(auto& t, const ChartStatistic& statistic) {
+  const bool is_mean = statistic.stem == "mean_slip";
+  t.length(statistic.stem, statistic.heading, "largest over the building periods",
+           [=, slip_m = statistic.slip_m](const ChartPoint& point) -> Cell {
+             return Estimate{slip_m(point), is_mean ? point.mean_interval : Interval{}};
+           })
+      .with_interval = is_mean;
 }
 
 std::vector<std::string> reading_notes(const Results& results) {
@@ -59,66 +55,56 @@ std::string title_of_levels(const std::string& what, const Results& results) {
 
 Table chart_table(const Results& results) {
   const Chart& chart = *results.chart;
-  const std::vector<ChartStatistic> statistics = chart_statistics(results);
-  const std::vector<Standard> standards = standards_of(chart);
-  Table table{"chart",
-              title_of_levels("Design chart: slip over slope and friction.", results),
-              {level_column(results), slope_column, mu_column},
-              {},
-              reading_notes(results)};
-  for (const ChartStatistic& s : statistics) table.columns.push_back(length_column(s));
-  table.columns.push_back({"governing_period", "s", "Governing period, s", ColumnKind::number,
-                           "building period at which the mean is largest"});
-  table.columns.push_back({"free_sliding", "", "Slides freely", ColumnKind::count,
-                           "1 where friction cannot stop the array: displacements are inf"});
-  table.columns.push_back(
-      {"uplift_share", "", "Uplift", ColumnKind::share, "share of histories with uplift"});
-  for (const Standard standard : standards) {
-    table.columns.push_back(
-        {key_of(standard), "m", standard_name(standard) + ", m (in)", ColumnKind::length,
-         "displacement that " + standard_name(standard) + " prescribes; nan: does not apply"});
-    table.notes.push_back(standard_name(standard) + " is for " + limits_of(standard) +
-                          ": empty elsewhere.");
+  using P = ChartPoint;
+  TableOf<P> t("chart", title_of_levels("Design chart: slip over slope and friction.", results));
+  t.put_all(level_column(results), slope_column, mu_column);
+  t.notes = reading_notes(results);
+  for (const ChartStatistic& s : chart_statistics(results)) put_statistic(t, s);
+  t.number("governing_period", "Governing period", "building period at which the mean is largest",
+           &P::governing_period_s, "s");
+  t.count("free_sliding", "Slides freely",
+          "1 where friction cannot stop the array: displacements are inf",
+          [](const P& p) { return p.free_sliding ? 1 : 0; });
+  t.share("uplift_share", "Uplift", "share of histories with uplift", &P::uplift_share);
+  for (const Standard standard : standards_of(chart)) {
+    const std::string name = standard_name(standard);
+    t.length(key_of(standard), name,
+             "displacement that " + name + " prescribes; nan: does not apply",
+             [&chart, standard](const P& p) {
+               return applies_at(standard, p.slope_deg, p.mu)
+                          ? prescribed_m(chart, standard, p.level).value_or(nan)
+                          : nan;
+             });
+    t.notes.push_back(name + " is for " + limits_of(standard) + ": empty elsewhere.");
   }
-  for (const ChartPoint& p : chart.points) {
-    std::vector<Cell> row = {p.level, p.slope_deg, p.mu};
-    for (const ChartStatistic& s : statistics) row.push_back(slip_cell(s, p));
-    row.insert(row.end(), {p.governing_period_s, p.free_sliding ? 1.0 : 0.0, p.uplift_share});
-    for (const Standard standard : standards) {
-      row.emplace_back(applies_at(standard, p.slope_deg, p.mu)
-                           ? prescribed_m(chart, standard, p.level).value_or(nan)
-                           : nan);
-    }
-    table.add(std::move(row));
-  }
-  return table;
+  t.add_each(chart.points);
+  return t;
 }
 
 Table chart_by_period_table(const Results& results) {
   const Chart& chart = *results.chart;
-  Table table{"chart_by_period",
-              title_of_levels("Design chart by building period.", results),
-              {level_column(results),
-               slope_column,
-               mu_column,
-               {"period", "s", "Period, s", ColumnKind::number, "building period; 0 is rigid"}},
-              {},
-              {how_counted(results), gravity_note}};
+  using P = ChartPoint;
+  TableOf<P, std::size_t> t("chart_by_period",
+                            title_of_levels("Design chart by building period.", results));
+  t.put_all(level_column(results), slope_column, mu_column);
+  t.number(
+      "period", "Period", "building period; 0 is rigid",
+      [&](std::size_t period) { return chart.period_s.at(period); }, "s");
   std::vector<ChartStatistic> statistics = chart_statistics(results);
-  if (!is_one_record(results)) statistics.erase(statistics.begin());  // of no period by itself
-  for (const ChartStatistic& s : statistics)
-    table.columns.push_back({s.stem, "m", s.heading + ", m (in)", ColumnKind::length,
-                             "over the records, at this period"});
-  for (const ChartPoint& p : chart.points) {
-    for (std::size_t t = 0; t < p.by_period.size(); ++t) {
-      const ChartSlip& slip = p.by_period[t];
-      std::vector<Cell> row = {p.level, p.slope_deg, p.mu, chart.period_s.at(t)};
-      if (!is_one_record(results)) row.insert(row.end(), {slip.mean_m, slip.p84_m, slip.p95_m});
-      row.emplace_back(slip.envelope_m);
-      table.add(std::move(row));
-    }
+  std::vector<double ChartSlip::*> slips{&ChartSlip::envelope_m};
+  if (!is_one_record(results)) {
+    statistics.erase(statistics.begin());  // of no period by itself
+    slips = {&ChartSlip::mean_m, &ChartSlip::p84_m, &ChartSlip::p95_m, &ChartSlip::envelope_m};
   }
-  return table;
+  for (std::size_t i = 0; i < slips.size(); ++i)
+    t.length(statistics.at(i).stem, statistics[i].heading, "over the records, at this period",
+             [slip_m = slips[i]](const P& p, std::size_t period) {
+               return p.by_period[period].*slip_m;
+             });
+  for (const P& p : chart.points)
+    for (std::size_t period = 0; period < p.by_period.size(); ++period) t.add(p, period);
+  t.notes = {how_counted(results), gravity_note};
+  return t;
 }
 
 Table chart_readings_table(const Results& results) {
@@ -152,20 +138,16 @@ Table chart_readings_table(const Results& results) {
 }
 
 Table chart_answers_table(const Results& results) {
-  Table table{"chart_answers",
-              title_of_levels("Read off the chart.", results),
-              {text_column("question", "Question")},
-              {},
-              {}};
+  using R = ChartReading;
+  TableOf<R> t("chart_answers", title_of_levels("Read off the chart.", results));
+  t.text("question", "Question", "",
+         [&](const R& reading) { return question_text(results, reading.question); });
   for (const ChartStatistic& s : chart_statistics(results))
-    table.columns.push_back({s.stem, "", s.heading, ColumnKind::text});
-  for (const ChartReading& reading : results.chart->readings) {
-    std::vector<Cell> row = {question_text(results, reading.question)};
-    for (const ChartStatistic& s : chart_statistics(results))
-      row.emplace_back(answer_text(*results.chart, reading.question, reading.*s.reading));
-    table.add(std::move(row));
-  }
-  return table;
+    t.text(s.stem, s.heading, "", [&results, answer = s.reading](const R& reading) {
+      return answer_text(*results.chart, reading.question, reading.*answer);
+    });
+  t.add_each(results.chart->readings);
+  return t;
 }
 
 Table chart_standards_table(const Results& results) {
@@ -179,7 +161,8 @@ Table chart_standards_table(const Results& results) {
       {standard_column,
        sds_column,
        prescribed_column,
-       length_column(design),
+       {design.stem, "m", design.heading + ", m (in)", ColumnKind::length,
+        "largest over the building periods", design.stem == "mean_slip"},
        {"above_share", "", "Points where more is needed", ColumnKind::share,
         "share of the points to which the standard applies that need more"},
        text_column("provenance", "Provision", "how well the provision is known"),

@@ -143,31 +143,28 @@ std::string other_run_sentence(const Results& results, const RunResults& run) {
 /// standards.csv.
 std::string brief_standards(const Results& results) {
   std::string recalled;
-  Table table{"standards_brief",
-              fmt::format("Standards and computed slip ({}; displacements in plan)",
-                          lists_more_than_friction_value(results)
-                              ? "each row of the combination that exceeds it most often"
-                              : friction_of(results, results.runs.front())),
-              {standard_column,
-               sds_column,
-               prescribed_column,
-               {"median_slip", "m", "Median, m (in)", ColumnKind::length},
-               {"p95_slip", "m", "95th, m (in)", ColumnKind::length},
-               {"exceedance_share", "", "Slip > prescribed", ColumnKind::share}},
-              {}};
+  using S = SlipStatistics;
+  TableOf<StandardComparison, S> t(
+      "standards_brief", fmt::format("Standards and computed slip ({}; displacements in plan)",
+                                     lists_more_than_friction_value(results)
+                                         ? "each row of the combination that exceeds it most often"
+                                         : friction_of(results, results.runs.front())));
+  t.put_all(standard_column, sds_column, prescribed_column);
+  t.length("median_slip", "Median", "", &S::median_m);
+  t.length("p95_slip", "95th", "", &S::p95_m);
+  t.share("exceedance_share", "Slip > prescribed", "", &StandardComparison::exceedance_probability);
   const std::vector<double> chosen = some_levels(results.levels, 5);
   for (std::size_t row = 0; row < results.runs.front().standards.size(); ++row) {
     const RunResults& run = most_exceeding(results, row);
     const StandardComparison& comparison = run.standards[row];
-    const SlipStatistics* slip = slip_at(run, comparison.sds_g);
+    const S* slip = slip_at(run, comparison.sds_g);
     if (slip == nullptr || std::ranges::count(chosen, comparison.sds_g) == 0) continue;
-    table.add({standard_name(comparison.standard), comparison.sds_g, comparison.prescribed.value_m,
-               slip->median_m, slip->p95_m, comparison.exceedance_probability});
+    t.add(comparison, *slip);
     if (comparison.prescribed.provenance != Provenance::checked)
       recalled += fmt::format("{}{} at {:g} g", recalled.empty() ? "" : "; ",
                               standard_name(comparison.standard), comparison.sds_g);
   }
-  std::string text = to_text(table);
+  std::string text = to_text(t);
   if (!recalled.empty())
     text +=
         wrapped("Recalled, to be verified against the standard: " + recalled, terminal_width, 2) +

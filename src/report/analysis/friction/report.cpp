@@ -1,62 +1,50 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <cmath>
-#include <limits>
-
+#include "glissade/core/finite.hpp"
 #include "glissade/report/friction_report.hpp"
 #include "page/page.hpp"
 
 namespace glissade {
-namespace {
-
-void add_row(Table& table, const std::string& direction, const char* which, const MuStatistics& s) {
-  constexpr double none = std::numeric_limits<double>::quiet_NaN();
-  table.add({direction, std::string(which), static_cast<double>(s.tests), s.mean, s.std,
-             s.mean_minus_2_std, s.lower_bound_95, s.normality ? s.normality->w : none,
-             s.normality ? s.normality->p_value : none});
-}
-
-}  // namespace
-
 Table pull_tests_table(const PullTestSummary& summary) {
-  Table table{
+  using T = TraceFriction;
+  TableOf<T> t(
       "pull_tests",
-      "Each pull: force over normal force, largest before it slips and over its sliding part",
-      {text_column("test", "Test"),
-       text_column("direction", "Direction"),
-       {"breakaway_mu", "", "Breakaway"},
-       {"sliding_mu", "", "Sliding, mean"},
-       {"sliding_std", "", "Std"},
-       {"min_mu", "", "Least"},
-       {"max_mu", "", "Largest"},
-       {"mu_by_displacement", "", "Mean over displacement"},
-       {"travel", "m", "Travel, m (in)", ColumnKind::length},
-       {"speed", "m/s", "Speed, m/s"}},
-      {}};
-  for (const TraceFriction& t : summary.tests) {
-    table.add({t.test, t.direction, t.breakaway_mu, t.sliding_mu, t.sliding_std, t.min_mu, t.max_mu,
-               t.mu_by_displacement, t.travel_m, t.speed_mps});
-  }
-  return table;
+      "Each pull: force over normal force, largest before it slips and over its sliding part");
+  t.text("test", "Test", "", &T::test);
+  t.text("direction", "Direction", "", &T::direction);
+  t.number("breakaway_mu", "Breakaway", "", &T::breakaway_mu);
+  t.number("sliding_mu", "Sliding, mean", "", &T::sliding_mu);
+  t.number("sliding_std", "Std", "", &T::sliding_std);
+  t.number("min_mu", "Least", "", &T::min_mu);
+  t.number("max_mu", "Largest", "", &T::max_mu);
+  t.number("mu_by_displacement", "Mean over displacement", "", &T::mu_by_displacement);
+  t.length("travel", "Travel", "", &T::travel_m);
+  t.number("speed", "Speed", "", &T::speed_mps, "m/s");
+  t.add_each(summary.tests);
+  return t;
 }
 
 Table friction_table(const PullTestSummary& summary) {
-  Table table{"friction",
-              "Friction over the tests of a direction, each test one value",
-              {text_column("direction", "Direction"),
-               text_column("friction", "Friction"),
-               {"tests", "", "Tests", ColumnKind::count},
-               {"mean", "", "Mean"},
-               {"std", "", "Std"},
-               {"mean_minus_2_std", "", "Mean - 2 std"},
-               {"lower_bound_95", "", "95 % lower bound"},
-               {"shapiro_wilk_w", "", "Shapiro-Wilk W"},
-               {"shapiro_wilk_p", "", "p"}},
-              {}};
+  using M = MuStatistics;
+  TableOf<DirectionFriction, M> t("friction",
+                                  "Friction over the tests of a direction, each test one value");
+  t.text("direction", "Direction", "", &DirectionFriction::direction);
+  t.text("friction", "Friction", "", [](const DirectionFriction& of, const M& s) {
+    return &s == &of.sliding ? "sliding" : "breakaway";
+  });
+  t.count("tests", "Tests", "", &M::tests);
+  t.number("mean", "Mean", "", &M::mean);
+  t.number("std", "Std", "", &M::std);
+  t.number("mean_minus_2_std", "Mean - 2 std", "", &M::mean_minus_2_std);
+  t.number("lower_bound_95", "95 % lower bound", "", &M::lower_bound_95);
+  t.number("shapiro_wilk_w", "Shapiro-Wilk W", "",
+           [](const M& s) { return s.normality ? s.normality->w : nan; });
+  t.number("shapiro_wilk_p", "p", "",
+           [](const M& s) { return s.normality ? s.normality->p_value : nan; });
   for (const DirectionFriction& d : summary.directions) {
-    add_row(table, d.direction, "sliding", d.sliding);
-    if (d.breakaway.tests > 0) add_row(table, d.direction, "breakaway", d.breakaway);
+    t.add(d, d.sliding);
+    if (d.breakaway.tests > 0) t.add(d, d.breakaway);
   }
-  return table;
+  return t;
 }
 
 void write_friction_report(const std::vector<PullTest>& tests, const PullTestSummary& summary,

@@ -18,29 +18,6 @@ std::string by_curve(const Results& results) {
          results.intensity_label + ". ";
 }
 
-Estimate period_of(const Estimate& rate) {
-  return {1.0 / rate.value, {1.0 / rate.interval.high, 1.0 / rate.interval.low}};
-}
-
-const Column rate_column = {"annual_rate",
-                            "per_year",
-                            "Annual rate [95 %]",
-                            ColumnKind::rate,
-                            "annual rate of exceedance; inf: slides freely",
-                            true},
-             in_50_years_column = {"probability_50_years", "", "In 50 years", ColumnKind::share,
-                                   "probability of one exceedance or more in 50 years"},
-             displacement_column = {
-                 "displacement", "m", "Displacement, m (in)", ColumnKind::length,
-                 "displacement in plan; inf: beyond the levels, nan: below them"};
-const Column below_column = detail(
-                 {"below_share", "", "Below levels", ColumnKind::share,
-                  "share of histories that exceed it at the lowest level; above 0: a lower bound"}),
-             moving_column =
-                 detail({"moving_share", "", "Moving", ColumnKind::share,
-                         "share of histories that slide at the intensity below which none counts; "
-                         "above 0: a lower bound"});
-
 /// with_listed, and what the sign of a lower bound says where there is one.
 Table with_bounds(const Results& results, Table table) {
   const auto slides = [](const HazardRun& run) {
@@ -64,6 +41,46 @@ NumberCell target_of(const HazardRun& run, const TargetDisplacement& row) {
   if (row.displacement_m.value == lowest) return {row.displacement_m, "< "};
   return at_least(row.displacement_m, row.below_share);
 }
+
+const ColumnOf quantity_column{
+    text_column("quantity", "Slip", "which displacement of a design life"),
+    [](const auto& row) -> decltype(quantity_name(row.quantity)) {
+      return quantity_name(row.quantity);
+    }};
+
+/// A row of each run and one of its rows.
+template <class Row>
+struct RunTable : TableOf<HazardRun, Row> {
+  RunTable(const Results& results, FileName file, const std::string& what)
+      : TableOf<HazardRun, Row>(file, what + by_curve(results) + in_plan(results)) {
+    this->put_all(run_column);
+  }
+  void put_rate(auto value) {
+    this->rate("annual_rate", "Annual rate", "annual rate of exceedance; inf: slides freely",
+               value);
+  }
+  Column& put_in_50_years(auto value) {
+    return this->share("probability_50_years", "In 50 years",
+                       "probability of one exceedance or more in 50 years", value);
+  }
+  void put_displacement(auto value) {
+    this->length("displacement", "Displacement",
+                 "displacement in plan; inf: beyond the levels, nan: below them", value);
+  }
+  void put_below() {
+    this->share("below_share", "Below levels",
+                "share of histories that exceed it at the lowest level; above 0: a lower bound",
+                &Row::below_share)
+        .detail = true;
+  }
+  void put_moving() {
+    this->share("moving_share", "Moving",
+                "share of histories that slide at the intensity below which none counts; above 0: "
+                "a lower bound",
+                &HazardRun::moving_share)
+        .detail = true;
+  }
+};
 
 }  // namespace
 
@@ -96,208 +113,177 @@ std::string rate_text(double annual_rate) {
 
 Table hazard_table(const Results& results, std::optional<double> threshold_m) {
   const HazardResults& hazard = *results.hazard;
-  Table table{"hazard",
-              "How often each clearance is exceeded." + by_curve(results) + in_plan(results),
-              {run_column,
-               threshold_column,
-               rate_column,
-               {"return_period", "years", "Return period, years [95 %]", ColumnKind::number,
-                "1 over the annual rate", true},
-               {"life_probability", "", "In " + life_text(hazard) + " [95 %]", ColumnKind::share,
-                "probability of one exceedance or more in the design life", true},
-               detail(in_50_years_column),
-               {"beyond_share", "", "Beyond levels", ColumnKind::share,
-                "part of the rate from histories that do not reach it at the highest level"},
-               intensity_column(results, "half_intensity", "Half of it above",
-                                "half of the rate is of stronger shaking: median of its "
-                                "deaggregation; inf: above the levels; nan: an infinite rate"),
-               detail({"fit_rate", "per_year", "Annual rate by the lognormal fit", ColumnKind::rate,
-                       "annual rate by the lognormal fit; nan: no fit"})},
-              {}};
-  for (const HazardRun& run : hazard.runs) {
-    for (const ThresholdRate& row : run.thresholds) {
-      if (row.threshold_m != threshold_m.value_or(row.threshold_m)) continue;
-      const char* sign = sign_of(row);
-      const Estimate in_50_years{probability_in(50.0, row.annual_rate.value), {}};
-      table.add({run.label, row.threshold_m, NumberCell{row.annual_rate, sign},
-                 NumberCell{period_of(row.annual_rate), row.is_mostly_assumed() ? "> " : ""},
-                 NumberCell{row.life_probability, sign}, NumberCell{in_50_years, sign},
-                 row.beyond_share, row.half_intensity, row.fit_rate});
-    }
-  }
-  table.notes = {
+  using R = ThresholdRate;
+  RunTable<R> t(results, "hazard", "How often each clearance is exceeded.");
+  t.put_all(threshold_column);
+  t.put_rate([](const R& row) { return NumberCell{row.annual_rate, sign_of(row)}; });
+  t.number(
+      "return_period", "Return period", "1 over the annual rate",
+      [](const R& row) {
+        const auto& [rate, interval] = row.annual_rate;
+        return NumberCell{{1.0 / rate, {1.0 / interval.high, 1.0 / interval.low}},
+                          row.is_mostly_assumed() ? "> " : ""};
+      },
+      "years");
+  t.share("life_probability", "In " + life_text(hazard),
+          "probability of one exceedance or more in the design life", [](const R& row) {
+            return NumberCell{row.life_probability, sign_of(row)};
+          });
+  t.put_in_50_years([](const R& row) -> Cell {
+     return NumberCell{{probability_in(50.0, row.annual_rate.value), {}}, sign_of(row)};
+   }).detail = true;
+  t.share("beyond_share", "Beyond levels",
+          "part of the rate from histories that do not reach it at the highest level",
+          &R::beyond_share);
+  t.put_all(
+      intensity_column(results, "half_intensity", "Half of it above",
+                       "half of the rate is of stronger shaking: median of its deaggregation; "
+                       "inf: above the levels; nan: an infinite rate",
+                       &R::half_intensity));
+  t.rate("fit_rate", "Annual rate by the lognormal fit",
+         "annual rate by the lognormal fit; nan: no fit", &R::fit_rate)
+      .detail = true;
+  for (const HazardRun& run : hazard.runs)
+    for (const R& row : run.thresholds)
+      if (row.threshold_m == threshold_m.value_or(row.threshold_m)) t.add(run, row);
+  t.notes = {
       "Beyond levels: the share of the rate from histories that do not reach the clearance at the "
       "highest level. Any shaking above that level counts as exceeding it. Above a half the rate "
       "is an upper bound (<), without an interval.",
       "Half of it above: half of the annual rate is of shaking stronger than this (the median of "
       "its deaggregation by intensity)."};
-  return with_listed(results, table);
+  return with_listed(results, t);
 }
 
 Table hazard_ground_table(const Results& results) {
   const HazardResults& hazard = *results.hazard;
-  Table table{
+  TableOf<std::size_t> t(
       "hazard_ground",
       fmt::format("Points of the hazard curve {}; shaking above the highest level: {:.3g} a year.",
-                  curve_name(hazard), hazard.beyond_rate),
-      {intensity_column(results, "intensity", "Intensity", "intensity"),
-       {"annual_rate", "per_year", "Annual rate", ColumnKind::rate,
-        "annual rate of shaking above the intensity"}},
-      {},
-      {}};
-  for (std::size_t i = 0; i < hazard.intensity.size(); ++i)
-    table.add({hazard.intensity[i], hazard.intensity_rate[i]});
-  return table;
+                  curve_name(hazard), hazard.beyond_rate));
+  t.put_all(intensity_column(results, "intensity", "Intensity", "intensity",
+                             [&](std::size_t i) { return hazard.intensity[i]; }));
+  t.rate("annual_rate", "Annual rate", "annual rate of shaking above the intensity",
+         [&](std::size_t i) { return hazard.intensity_rate[i]; });
+  for (std::size_t i = 0; i < hazard.intensity.size(); ++i) t.add(i);
+  return t;
 }
 
 Table hazard_curve_table(const Results& results) {
-  Table table{"hazard_curve",
-              "Annual rate of exceeding a displacement." + by_curve(results) + in_plan(results),
-              {run_column, displacement_column, rate_column, below_column},
-              {}};
-  for (const HazardRun& run : results.hazard->runs) {
-    for (const DisplacementRate& row : run.curve)
-      table.add({run.label, row.displacement_m, at_least(row.annual_rate, row.below_share),
-                 row.below_share});
-  }
-  return with_bounds(results, std::move(table));
+  using R = DisplacementRate;
+  RunTable<R> t(results, "hazard_curve", "Annual rate of exceeding a displacement.");
+  t.put_displacement(&R::displacement_m);
+  t.put_rate([](const R& row) { return at_least(row.annual_rate, row.below_share); });
+  t.put_below();
+  t.add_each(results.hazard->runs, &HazardRun::curve);
+  return with_bounds(results, t);
 }
 
 Table hazard_targets_table(const Results& results) {
-  Table table{"hazard_targets",
-              "Displacement that is exceeded at a given annual rate." + by_curve(results) +
-                  in_plan(results),
-              {run_column,
-               text_column("target", "Rate", "the annual rate in words"),
-               {"annual_rate", "per_year", "Annual rate", ColumnKind::rate,
-                "annual rate of exceedance; inf: slides freely"},
-               in_50_years_column,
-               {"displacement", "m", "Displacement, m (in) [95 %, m]", ColumnKind::length,
-                "displacement in plan; inf: beyond the levels, nan: below them", true},
-               intensity_column(results, "intensity", "Shaking of that rate",
-                                "intensity that shaking exceeds at that rate"),
-               below_column},
-              {}};
-  for (const HazardRun& run : results.hazard->runs) {
-    for (const TargetDisplacement& row : run.targets)
-      table.add({run.label, rate_text(row.annual_rate), row.annual_rate,
-                 probability_in(50.0, row.annual_rate), target_of(run, row), row.intensity,
-                 row.below_share});
-  }
-  return with_bounds(results, std::move(table));
+  using R = TargetDisplacement;
+  RunTable<R> t(results, "hazard_targets", "Displacement that is exceeded at a given annual rate.");
+  t.text("target", "Rate", "the annual rate in words",
+         [](const R& row) { return rate_text(row.annual_rate); });
+  t.put_rate(&R::annual_rate);
+  t.put_in_50_years([](const R& row) { return probability_in(50.0, row.annual_rate); });
+  t.put_displacement(target_of);
+  t.put_all(intensity_column(results, "intensity", "Shaking of that rate",
+                             "intensity that shaking exceeds at that rate", &R::intensity));
+  t.put_below();
+  t.add_each(results.hazard->runs, &HazardRun::targets);
+  return with_bounds(results, t);
 }
 
 Table hazard_standards_table(const Results& results) {
-  Table table{"hazard_standards",
-              "How often the displacements that standards prescribe at the S_DS of the site are "
-              "exceeded, beside the displacement that is exceeded with 1 % in 50 years." +
-                  by_curve(results) + in_plan(results),
-              {run_column,
-               standard_column,
-               provision_column,
-               sds_column,
-               prescribed_column,
-               rate_column,
-               in_50_years_column,
-               {"risk_targeted", "m", "1 % in 50 years, m (in)", ColumnKind::length,
-                "displacement that is exceeded with 1 % in 50 years"},
-               {"ratio", "", "That over prescribed", ColumnKind::number,
-                "displacement exceeded with 1 % in 50 years over the prescribed one"},
-               below_column},
-              {}};
-  for (const HazardRun& run : results.hazard->runs) {
-    const TargetDisplacement target = target_displacement(rate_of(0.01, 50.0), run);
-    const double target_m = target.displacement_m.value;
-    for (const PrescribedRate& row : run.prescribed)
-      table.add(
-          {run.label, standard_name(row.standard),
-           std::string(row.prescribed.provenance == Provenance::checked ? "checked" : "recalled"),
-           row.sds_g, row.prescribed.value_m, at_least(row.annual_rate, row.below_share),
-           at_least({probability_in(50.0, row.annual_rate.value), {}}, row.below_share),
-           target_of(run, target), target_m / row.prescribed.value_m, row.below_share});
-  }
-  return with_bounds(results, std::move(table));
+  using R = PrescribedRate;
+  RunTable<R> t(results, "hazard_standards",
+                "How often the displacements that standards prescribe at the S_DS of the site are "
+                "exceeded, beside the displacement that is exceeded with 1 % in 50 years.");
+  const auto target = [](const HazardRun& run) {
+    return target_displacement(rate_of(0.01, 50.0), run);
+  };
+  t.put_all(standard_column, provision_column, sds_column, prescribed_column);
+  t.put_rate([](const R& row) { return at_least(row.annual_rate, row.below_share); });
+  t.put_in_50_years([](const R& row) -> Cell {
+    return at_least({probability_in(50.0, row.annual_rate.value), {}}, row.below_share);
+  });
+  t.length("risk_targeted", "1 % in 50 years", "displacement that is exceeded with 1 % in 50 years",
+           [=](const HazardRun& run) -> Cell { return target_of(run, target(run)); });
+  t.number("ratio", "That over prescribed",
+           "displacement exceeded with 1 % in 50 years over the prescribed one",
+           [=](const HazardRun& run, const R& row) {
+             return target(run).displacement_m.value / row.prescribed.value_m;
+           });
+  t.put_below();
+  t.add_each(results.hazard->runs, &HazardRun::prescribed);
+  return with_bounds(results, t);
 }
 
 Table life_distribution_table(const Results& results) {
-  Table table{
-      "design_life_distribution",
-      "Slip over " + life_text(*results.hazard) + ", " + not_returned +
-          ": what it stays below in a share of the design lives." + by_curve(results) +
-          in_plan(results),
-      {run_column,
-       text_column("quantity", "Slip", "which displacement of a design life"),
-       {"probability", "", "Share of the lives", ColumnKind::share, "share of the design lives"},
-       displacement_column,
-       moving_column},
-      {},
-      {kept_over_life}};
-  for (const HazardRun& run : results.hazard->runs)
-    for (const LifeQuantile& row : run.life_distribution)
-      table.add({run.label, quantity_name(row.quantity), row.probability,
-                 at_least({row.displacement_m, {}}, run.moving_share), run.moving_share});
-  return with_bounds(results, std::move(table));
+  using R = LifeQuantile;
+  RunTable<R> t(results, "design_life_distribution",
+                "Slip over " + life_text(*results.hazard) + ", " + not_returned +
+                    ": what it stays below in a share of the design lives.");
+  t.put_all(quantity_column);
+  t.share("probability", "Share of the lives", "share of the design lives", &R::probability);
+  t.put_displacement([](const HazardRun& run, const R& row) -> Cell {
+    return at_least({row.displacement_m, {}}, run.moving_share);
+  });
+  t.put_moving();
+  t.add_each(results.hazard->runs, &HazardRun::life_distribution);
+  t.notes = {kept_over_life};
+  return with_bounds(results, t);
 }
 
 Table shown_design_life_table(const Results& results) {
   const HazardResults& hazard = *results.hazard;
-  Table table{"design_life",
-              "Slip over " + life_text(hazard) + ", " + not_returned + ": 95th percentiles." +
-                  by_curve(results) + in_plan(results),
-              {run_column},
-              {}};
+  TableOf<HazardRun> t("design_life", "Slip over " + life_text(hazard) + ", " + not_returned +
+                                          ": 95th percentiles." + by_curve(results) +
+                                          in_plan(results));
+  t.put_all(run_column);
+  for (std::size_t i = 0; i < hazard.runs.front().life.size(); ++i)
+    t.length("p95_" + std::to_string(i + 1),
+             capitalised(quantity_name(hazard.runs.front().life[i].quantity)), "",
+             [=](const HazardRun& run) { return at_least(run.life[i].p95_m, run.moving_share); });
+  t.add_each(hazard.runs);
   double median_m = 0.0;
-  for (const LifeDisplacement& row : hazard.runs.front().life) {
-    table.columns.push_back({"p95_" + std::to_string(table.columns.size()), "m",
-                             capitalised(quantity_name(row.quantity)) + ", m (in) [95 %, m]",
-                             ColumnKind::length, "", true});
-  }
+  bool bound = false;
   for (const HazardRun& run : hazard.runs) {
-    std::vector<Cell> row{run.label};
-    for (const LifeDisplacement& life : run.life) {
-      row.emplace_back(at_least(life.p95_m, run.moving_share));
+    bound = bound || run.moving_share > 0.0;
+    for (const LifeDisplacement& life : run.life)
       median_m = std::max(median_m, life.median_m.value);
-    }
-    table.add(std::move(row));
   }
-  const bool bound =
-      std::ranges::any_of(hazard.runs, [](const HazardRun& run) { return run.moving_share > 0.0; });
-  table.notes = {std::string(bound ? "The medians, lower bounds, are " : "The medians are ") +
-                     (median_m == 0.0        ? "all 0"
-                      : std::isinf(median_m) ? "in part beyond the levels"
-                                             : "at most " + format_length(median_m)) +
-                     "; they and the 84th percentiles: tables/design_life.csv.",
-                 kept_over_life};
-  return with_bounds(results, std::move(table));
+  t.notes = {std::string(bound ? "The medians, lower bounds, are " : "The medians are ") +
+                 (median_m == 0.0        ? "all 0"
+                  : std::isinf(median_m) ? "in part beyond the levels"
+                                         : "at most " + format_length(median_m)) +
+                 "; they and the 84th percentiles: tables/design_life.csv.",
+             kept_over_life};
+  return with_bounds(results, t);
 }
 
 Table design_life_table(const Results& results) {
-  Table table{"design_life",
-              "Slip over " + life_text(*results.hazard) + ", " + not_returned + "." +
-                  by_curve(results) + in_plan(results),
-              {run_column,
-               text_column("quantity", "Slip", "which displacement of a design life"),
-               {"median", "m", "Median, m (in) [95 %, m]", ColumnKind::length,
-                "median over design lives", true},
-               {"p84", "m", "84th percentile, m (in) [95 %, m]", ColumnKind::length,
-                "84th percentile over design lives", true},
-               {"p95", "m", "95th percentile, m (in) [95 %, m]", ColumnKind::length,
-                "95th percentile over design lives", true},
-               moving_column,
-               detail({"events", "", "Earthquakes", ColumnKind::number,
-                       "expected earthquakes of a design life above from_intensity"}),
-               intensity_column(results, "from_intensity", "above",
-                                "intensity below which no earthquake is counted")},
-              {},
-              {kept_over_life}};
-  for (const HazardRun& run : results.hazard->runs) {
-    const double below = run.moving_share;
-    for (const LifeDisplacement& row : run.life)
-      table.add({run.label, quantity_name(row.quantity), at_least(row.median_m, below),
-                 at_least(row.p84_m, below), at_least(row.p95_m, below), below, run.events,
-                 run.from_intensity});
-  }
-  return with_bounds(results, std::move(table));
+  using R = LifeDisplacement;
+  RunTable<R> t(results, "design_life",
+                "Slip over " + life_text(*results.hazard) + ", " + not_returned + ".");
+  t.put_all(quantity_column);
+  const auto bounded = [](Estimate R::*value) {
+    return
+        [=](const HazardRun& run, const R& row) { return at_least(row.*value, run.moving_share); };
+  };
+  t.length("median", "Median", "median over design lives", bounded(&R::median_m));
+  t.length("p84", "84th percentile", "84th percentile over design lives", bounded(&R::p84_m));
+  t.length("p95", "95th percentile", "95th percentile over design lives", bounded(&R::p95_m));
+  t.put_moving();
+  t.number("events", "Earthquakes", "expected earthquakes of a design life above from_intensity",
+           &HazardRun::events)
+      .detail = true;
+  t.put_all(intensity_column(results, "from_intensity", "above",
+                             "intensity below which no earthquake is counted",
+                             &HazardRun::from_intensity));
+  t.add_each(results.hazard->runs, &HazardRun::life);
+  t.notes = {kept_over_life};
+  return with_bounds(results, t);
 }
 
 }  // namespace glissade

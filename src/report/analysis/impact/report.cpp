@@ -20,8 +20,10 @@ bool has_impact(const Results& results) {
                              [](const RunResults& run) { return !run.impact.empty(); });
 }
 
-/// Kinetic energy of what moves at this speed, by its mass.
-double energy_jpkg(double speed_mps) { return 0.5 * speed_mps * speed_mps; }
+/// Kinetic energy of what moves at a speed, by its mass.
+auto energy_jpkg(Estimate ImpactStatistics::*mps) {
+  return [=](const ImpactStatistics& s) { return 0.5 * (s.*mps).value * (s.*mps).value; };
+}
 
 /// How to read any of it, in plain words.
 std::string impact_explained() {
@@ -41,44 +43,35 @@ bool reached_by_enough(double low_mps) { return !std::isnan(low_mps); }
 }  // namespace
 
 Table impact_table(const Results& results) {
-  Table table{"impact",
-              "Speed and time at which the array is first displaced by a clearance. " +
-                  impact_explained() + " Intensity measure: " + results.intensity_label + ".",
-              {run_column,
-               threshold_column,
-               level_column(results),
-               {"reached_share", "", "Reached [95 %]", ColumnKind::share,
-                "share of histories that reach the threshold", true},
-               {"p16_speed", "mps", "16th percentile, m/s", ColumnKind::number,
-                "16th percentile of the speed at the first crossing"},
-               {"median_speed", "mps", "Median speed, m/s [95 %]", ColumnKind::number,
-                "median speed in plan at the first crossing, of the histories that reach it", true},
-               {"p84_speed", "mps", "84th percentile, m/s [95 %]", ColumnKind::number,
-                "84th percentile of the speed at the first crossing", true},
-               {"p95_speed", "mps", "95th percentile, m/s", ColumnKind::number,
-                "95th percentile of the speed at the first crossing"},
-               {"largest_speed", "mps", "Largest, m/s", ColumnKind::number,
-                "largest speed at the first crossing"},
-               {"median_energy", "Jpkg", "Energy at the median, J/kg", ColumnKind::number,
-                "kinetic energy of each kilogram at the median speed"},
-               {"p84_energy", "Jpkg", "Energy at the 84th percentile, J/kg", ColumnKind::number,
-                "kinetic energy of each kilogram at the 84th percentile of the speed"},
-               {"p16_time", "s", "16th percentile of time, s", ColumnKind::number,
-                "16th percentile of the time of the first crossing from the record's begin"},
-               {"median_time", "s", "Median time, s", ColumnKind::number,
-                "median time of the first crossing"},
-               {"p84_time", "s", "84th percentile of time, s", ColumnKind::number,
-                "84th percentile of the time of the first crossing"}},
-              {}};
-  for (const RunResults& run : results.runs) {
-    for (const ImpactStatistics& s : run.impact) {
-      table.add({run.label, s.threshold_m, s.level, s.reached_share, s.speed_p16_mps,
-                 s.speed_median_mps, s.speed_p84_mps, s.speed_p95_mps, s.speed_largest_mps,
-                 energy_jpkg(s.speed_median_mps.value), energy_jpkg(s.speed_p84_mps.value),
-                 s.time_p16_s, s.time_median_s, s.time_p84_s});
-    }
-  }
-  return with_listed(results, table);
+  using S = ImpactStatistics;
+  TableOf<RunResults, S> t(
+      "impact", "Speed and time at which the array is first displaced by a clearance. " +
+                    impact_explained() + " Intensity measure: " + results.intensity_label + ".");
+  t.put_all(run_column, threshold_column, level_column(results));
+  t.share("reached_share", "Reached", "share of histories that reach the threshold",
+          &S::reached_share);
+  const std::string speed = " of the speed at the first crossing";
+  t.number("p16_speed", "16th percentile", "16th percentile" + speed, &S::speed_p16_mps, "mps");
+  t.number("median_speed", "Median speed",
+           "median speed in plan at the first crossing, of the histories that reach it",
+           &S::speed_median_mps, "mps");
+  t.number("p84_speed", "84th percentile", "84th percentile" + speed, &S::speed_p84_mps, "mps");
+  t.number("p95_speed", "95th percentile", "95th percentile" + speed, &S::speed_p95_mps, "mps");
+  t.number("largest_speed", "Largest", "largest speed at the first crossing", &S::speed_largest_mps,
+           "mps");
+  const std::string energy = "kinetic energy of each kilogram at the ";
+  t.number("median_energy", "Energy at the median", energy + "median speed",
+           energy_jpkg(&S::speed_median_mps), "Jpkg");
+  t.number("p84_energy", "Energy at the 84th percentile", energy + "84th percentile of the speed",
+           energy_jpkg(&S::speed_p84_mps), "Jpkg");
+  const std::string time = " time of the first crossing";
+  t.number("p16_time", "16th percentile of time",
+           "16th percentile of the" + time + " from the record's begin", &S::time_p16_s, "s");
+  t.number("median_time", "Median time", "median" + time, &S::time_median_s, "s");
+  t.number("p84_time", "84th percentile of time", "84th percentile of the" + time, &S::time_p84_s,
+           "s");
+  t.add_each(results.runs, &RunResults::impact);
+  return with_listed(results, t);
 }
 
 Figure impact_figure(const Results& results, const RunResults& run) {

@@ -44,32 +44,31 @@ bool is_insufficient(const RankedMeasure& row) {
 }
 
 Table intensity_measures_table(const Results& results) {
-  Table table{
+  using M = RankedMeasure;
+  TableOf<RunResults, M> t(
       "intensity_measures",
       "Intensity measures by the dispersion of ln capacity between records, the best first. " +
-          in_plan(results),
-      {run_column,
-       threshold_column,
-       text_column("measure", "Intensity measure", "intensity measure, or two"),
-       {"dispersion", "", "Dispersion [95 %]", ColumnKind::number,
-        "standard deviation of the records' ln capacity in it", true},
-       {"smallest_share", "", "Ranks first in", ColumnKind::share,
-        "share of the resamples of the records in which it ranks first"},
-       detail({"magnitude_slope", "", "Slope on M", ColumnKind::number,
-               "slope of ln capacity on magnitude; nan: not known"}),
-       {"magnitude_p", "", "p", ColumnKind::number, "p-value of the slope on magnitude"},
-       detail({"distance_slope", "", "Slope on ln R", ColumnKind::number,
-               "slope of ln capacity on ln distance; nan: not known"}),
-       {"distance_p", "", "p", ColumnKind::number, "p-value of the slope on ln distance"},
-       detail({"censored_records", "", "Records not reached", ColumnKind::count,
-               "records of which half do not reach the threshold"}),
-       detail({"is_pair", "", "Two measures", ColumnKind::count, "1: of two measures"})},
-      {}};
-  for (const RankedMeasure& row : *results.intensity_measures)
-    table.add({results.runs[row.run].label, row.threshold_m, row.name, row.dispersion,
-               row.smallest_share, row.magnitude_slope, row.magnitude_p, row.distance_slope,
-               row.distance_p, static_cast<double>(row.censored_records), row.pair ? 1.0 : 0.0});
-  table.notes = {
+          in_plan(results));
+  t.put_all(run_column, threshold_column);
+  t.text("measure", "Intensity measure", "intensity measure, or two", &M::name);
+  t.number("dispersion", "Dispersion", "standard deviation of the records' ln capacity in it",
+           &M::dispersion);
+  t.share("smallest_share", "Ranks first in",
+          "share of the resamples of the records in which it ranks first", &M::smallest_share);
+  t.number("magnitude_slope", "Slope on M", "slope of ln capacity on magnitude; nan: not known",
+           &M::magnitude_slope)
+      .detail = true;
+  t.number("magnitude_p", "p", "p-value of the slope on magnitude", &M::magnitude_p);
+  t.number("distance_slope", "Slope on ln R", "slope of ln capacity on ln distance; nan: not known",
+           &M::distance_slope)
+      .detail = true;
+  t.number("distance_p", "p", "p-value of the slope on ln distance", &M::distance_p);
+  t.count("censored_records", "Records not reached",
+          "records of which half do not reach the threshold", &M::censored_records)
+      .detail = true;
+  t.count("is_pair", "Two measures", "1: of two measures", &M::pair).detail = true;
+  for (const M& row : *results.intensity_measures) t.add(results.runs[row.run], row);
+  t.notes = {
       "Ranks first in: that share of the resamples of the records; equal measures do so together. "
       "Ties: where intervals overlap and none ranks first in nearly all resamples, these records "
       "do not show which measure is better.",
@@ -77,7 +76,7 @@ Table intensity_measures_table(const Results& results) {
       "known too.",
       "p: that the slope of ln capacity on magnitude or ln distance is 0; below 0.05 the measure "
       "is not sufficient."};
-  return with_listed(results, table);
+  return with_listed(results, t);
 }
 
 DataSeries points(std::size_t look, const std::string& label) {

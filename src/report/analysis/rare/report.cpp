@@ -20,38 +20,42 @@ constexpr double least = 1e-7;
 
 std::string small(double probability) { return fmt::format("{:.2g}", probability); }
 
-Table rare_table(const Results& results) {
-  Table table{
-      "rare",
-      "Probability, given the level, that slip reaches the threshold",
-      {condition_column,
-       threshold_column,
-       level_column(results),
-       text_column("estimate", "Probability", "probability, as text"),
-       text_column("samples", "95 %, samples",
-                   "95 % interval of the samples, on these records, as text"),
-       text_column("records", "95 %, records", "95 % interval over records, as text"),
-       detail({"effective_samples", "", "Effective number of samples", ColumnKind::number,
-               "number of samples that carry the probability"}),
-       {"effective_records", "", "Effective number of records", ColumnKind::number,
-        "number of records that carry the probability"},
-       detail({"plain_samples", "", "Plain Monte Carlo samples", ColumnKind::number,
-               "samples of plain Monte Carlo with the same sampling error"}),
-       detail({"probability", "", "Probability", ColumnKind::number,
-               "probability that displacement reaches the threshold; interval over records", true}),
-       detail({"sampled_probability", "", "the same, samples", ColumnKind::number,
-               "probability; interval of the samples, on these records", true})},
-      {}};
-  const auto range = [](const Interval& i) {
-    return std::isnan(i.low) ? std::string("-") : small(i.low) + " to " + small(i.high);
+/// "0.0012 to 0.0045"
+auto range_of(Interval RareRow::*interval) {
+  return [=](const RareRow& row) {
+    const auto [low, high] = row.*interval;
+    return std::isnan(low) ? "-" : small(low) + " to " + small(high);
   };
-  for (const RareRow& row : results.rare->rows)
-    table.add({row.condition, row.threshold_m, row.level, small(row.probability),
-               range(row.sampling_interval), range(row.record_interval), row.effective_samples,
-               row.effective_records, row.plain_samples,
-               Estimate{row.probability, row.record_interval},
-               Estimate{row.probability, row.sampling_interval}});
-  table.notes = {
+}
+
+Table rare_table(const Results& results) {
+  using R = RareRow;
+  TableOf<R> t("rare", "Probability, given the level, that slip reaches the threshold");
+  t.put_all(condition_column, threshold_column, level_column(results));
+  t.text("estimate", "Probability", "probability, as text",
+         [](const R& row) { return small(row.probability); });
+  t.text("samples", "95 %, samples", "95 % interval of the samples, on these records, as text",
+         range_of(&R::sampling_interval));
+  t.text("records", "95 %, records", "95 % interval over records, as text",
+         range_of(&R::record_interval));
+  t.number("effective_samples", "Effective number of samples",
+           "number of samples that carry the probability", &R::effective_samples)
+      .detail = true;
+  t.number("effective_records", "Effective number of records",
+           "number of records that carry the probability", &R::effective_records);
+  t.number("plain_samples", "Plain Monte Carlo samples",
+           "samples of plain Monte Carlo with the same sampling error", &R::plain_samples)
+      .detail = true;
+  t.number("probability", "Probability",
+           "probability that displacement reaches the threshold; interval over records",
+           with_interval(&R::probability, &R::record_interval))
+      .detail = true;
+  t.number("sampled_probability", "the same, samples",
+           "probability; interval of the samples, on these records",
+           with_interval(&R::probability, &R::sampling_interval))
+      .detail = true;
+  t.add_each(results.rare->rows);
+  t.notes = {
       "Samples: interval from independent scrambles, on these records. Records: bootstrap over "
       "records.",
       fmt::format("Effective number: (sum p)^2 / sum p^2 of the contributions p of the samples, of "
@@ -59,20 +63,18 @@ Table rare_table(const Results& results) {
                   "not known (-); with few of the records the interval over records is too narrow.",
                   least_effective_samples),
       "Plain Monte Carlo samples: as many would be required for the same sampling error."};
-  return table;
+  return t;
 }
 
 Table weights_table(const Results& results) {
-  Table table{"rare_weights",
-              "Weights of the samples, which are drawn from wider distributions",
-              {{"sample", "", "Sample", ColumnKind::count, "position of the sample"},
-               {"weight", "", "Weight", ColumnKind::number,
-                "probability over that of the widened distributions"}},
-              {},
-              {}};
-  for (const double weight : results.rare->weights)
-    table.add({static_cast<double>(table.rows.size()), weight});
-  return table;
+  TableOf<std::size_t> t("rare_weights",
+                         "Weights of the samples, which are drawn from wider distributions");
+  const std::vector<double>& weights = results.rare->weights;
+  t.count("sample", "Sample", "position of the sample", [](std::size_t i) { return i; });
+  t.number("weight", "Weight", "probability over that of the widened distributions",
+           [&](std::size_t i) { return weights[i]; });
+  for (std::size_t i = 0; i < weights.size(); ++i) t.add(i);
+  return t;
 }
 
 /// The probability nearest 1e-5 that has an interval of the samples.
@@ -179,39 +181,31 @@ std::vector<std::string> error_sentences(const Results& results) {
 
 /// Without rows where the study states no target_error.
 Table reached_target_table(const Results& results) {
-  Table table{
-      "sampling_target",
-      "Where a run with sampling.target_error ended",
-      {{"target_error", "", "Target", ColumnKind::share, "sampling.target_error"},
-       {"error", "", "Reached", ColumnKind::share,
-        "largest half of the 95 % interval of a median, of the samples alone, over it"},
-       {"scrambles", "", "Scrambles", ColumnKind::count, "number of scrambles that were run"},
-       {"most_scrambles", "", "At most", ColumnKind::count, "sampling.scrambles"}},
-      {},
-      {}};
-  if (results.reached_target) {
-    const ReachedTarget& target = *results.reached_target;
-    table.add({target.target_error, target.error, static_cast<double>(target.scrambles),
-               static_cast<double>(target.most_scrambles)});
-  }
-  return table;
+  using T = ReachedTarget;
+  TableOf<T> t("sampling_target", "Where a run with sampling.target_error ended");
+  t.share("target_error", "Target", "sampling.target_error", &T::target_error);
+  t.share("error", "Reached",
+          "largest half of the 95 % interval of a median, of the samples alone, over it",
+          &T::error);
+  t.count("scrambles", "Scrambles", "number of scrambles that were run", &T::scrambles);
+  t.count("most_scrambles", "At most", "sampling.scrambles", &T::most_scrambles);
+  if (results.reached_target) t.add(*results.reached_target);
+  return t;
 }
 
 Table sampling_error_table(const Results& results) {
-  Table table{"sampling_error",
-              "Standard errors of the median capacity",
-              {text_column("run", "Friction", "label of the combination"),
-               threshold_column,
-               intensity_column(results, "median", "Median",
-                                "median of the fit on capacities; nan: not fitted"),
-               {"record_error", "", "Of the records", ColumnKind::share,
-                "standard error of ln median from the number of records"},
-               {"sampling_error", "", "Of the samples", ColumnKind::share,
-                "standard error of ln median from the samples"}},
-              {}};
-  for (const SamplingErrorRow& row : results.sampling_errors)
-    table.add({row.label, row.threshold_m, row.median, row.record_error, row.sampling_error});
-  return table;
+  using R = SamplingErrorRow;
+  TableOf<R> t("sampling_error", "Standard errors of the median capacity");
+  t.text("run", "Friction", "label of the combination", &R::label);
+  t.put_all(threshold_column,
+            intensity_column(results, "median", "Median",
+                             "median of the fit on capacities; nan: not fitted", &R::median));
+  t.share("record_error", "Of the records",
+          "standard error of ln median from the number of records", &R::record_error);
+  t.share("sampling_error", "Of the samples", "standard error of ln median from the samples",
+          &R::sampling_error);
+  t.add_each(results.sampling_errors);
+  return t;
 }
 
 }  // namespace

@@ -26,6 +26,18 @@ const char* against_lognormal(const ThresholdShape& shape, ShapeModel model) {
   return difference > 0.0 ? "better" : "worse";
 }
 
+/// A row of what the results and the analysis of the shape have of each run and threshold, and of
+/// one of its levels or models.
+using ShapeTable = TableOf<RunResults, ThresholdFragility, ThresholdShape, std::size_t>;
+
+void add_each(ShapeTable& t, const Results& results, std::size_t count) {
+  for (std::size_t r = 0; r < results.runs.size(); ++r)
+    for (std::size_t k = 0; k < results.thresholds_m.size(); ++k)
+      for (std::size_t i = 0; i < count; ++i)
+        t.add(results.runs[r], results.runs[r].fragilities[k], results.shape->runs[r].thresholds[k],
+              i);
+}
+
 }  // namespace
 
 std::string model_name(ShapeModel model) {
@@ -61,156 +73,138 @@ bool differs_clearly(const ThresholdShape& shape, ShapeModel model) {
 }
 
 Table shape_table(const Results& results) {
-  Table table{
-      "shape",
-      "Is a lognormal the right fragility? " + in_plan(results),
-      {run_column,
-       threshold_column,
-       {"p_value", "", "Goodness of fit, p", ColumnKind::number,
-        "goodness of fit of the lognormal; nan: no test", false, 3},
-       {"largest_gap", "", "Observed - curve", ColumnKind::number,
-        "largest difference of observed share and curve", false, 3},
-       intensity_column(results, "gap_at", "there", "intensity at which the gap is largest"),
-       text_column("best", "Best model", "best model, or why none was compared"),
-       {"recrossed", "", "Recross", ColumnKind::share,
-        "share of histories that reached the threshold at a lower level and do not here"},
-       detail({"distance", "", "Distance", ColumnKind::number,
-               "Cramer-von Mises distance of capacities and curve"}),
-       detail({"correlation", "", "Correlation in a record", ColumnKind::number,
-               "correlation of the normal scores of a record's capacities"})},
-      {}};
-  for (std::size_t r = 0; r < results.runs.size(); ++r) {
-    for (std::size_t t = 0; t < results.thresholds_m.size(); ++t) {
-      const GoodnessOfFit& fit = results.runs[r].fragilities[t].lognormal;
-      const ThresholdShape& shape = results.shape->runs[r].thresholds[t];
-      table.add({results.runs[r].label, shape.threshold_m, p_cell(fit.p_value), fit.largest_gap,
-                 fit.gap_intensity, models_text(shape), std::ranges::max(shape.recrossed),
-                 fit.distance, fit.correlation});
-    }
-  }
-  table.notes = {
+  using F = ThresholdFragility;
+  ShapeTable t("shape", "Is a lognormal the right fragility? " + in_plan(results));
+  t.put_all(run_column, threshold_column);
+  t.number("p_value", "Goodness of fit, p", "goodness of fit of the lognormal; nan: no test",
+           [](const F& of) { return Cell(p_cell(of.lognormal.p_value)); })
+      .decimals = 3;
+  t.number("largest_gap", "Observed - curve", "largest difference of observed share and curve",
+           [](const F& of) { return of.lognormal.largest_gap; })
+      .decimals = 3;
+  t.put_all(intensity_column(results, "gap_at", "there", "intensity at which the gap is largest",
+                             [](const F& of) { return of.lognormal.gap_intensity; }));
+  t.text("best", "Best model", "best model, or why none was compared", models_text);
+  t.share("recrossed", "Recross",
+          "share of histories that reached the threshold at a lower level and do not here",
+          [](const ThresholdShape& shape) { return std::ranges::max(shape.recrossed); });
+  t.number("distance", "Distance", "Cramer-von Mises distance of capacities and curve",
+           [](const F& of) { return of.lognormal.distance; })
+      .detail = true;
+  t.number("correlation", "Correlation in a record",
+           "correlation of the normal scores of a record's capacities",
+           [](const F& of) { return of.lognormal.correlation; })
+      .detail = true;
+  add_each(t, results, 1);
+  t.notes = {
       "Not lognormal: p below 0.05 (Cramer-von Mises distance, parametric bootstrap, records as "
       "the unit) and a gap of 0.05 or more. Best model: by cross-validation over records. Recross: "
       "the largest share, over the levels, that reached the clearance at a lower level and does "
       "not there."};
-  return with_listed(results, table);
+  return with_listed(results, t);
 }
 
 Table shape_models_table(const Results& results) {
-  Table table{
+  using S = ThresholdShape;
+  TableOf<ShapeRun, S, ShapeModel> t(
       "shape_models",
       "Models compared by cross-validation: ln of the probability that a model fitted on "
-      "the other records gives to a record, per history and level. Higher is better.",
-      {run_column,
-       threshold_column,
-       text_column("model", "Model", "model"),
-       {"score", "", "Score", ColumnKind::number,
-        "ln probability of a record by the model fitted on the others, per history and level",
-        false, 4},
-       {"difference", "", "To lognormal", ColumnKind::number, "score less that of the lognormal",
-        false, 4},
-       {"standard_error", "", "Standard error", ColumnKind::number,
-        "standard error of the difference, over records", false, 4},
-       text_column("against", "Against lognormal", "verdict against the lognormal")},
-      {}};
-  for (const ShapeRun& run : results.shape->runs) {
-    for (const ThresholdShape& shape : run.thresholds) {
-      for (std::size_t m = 0; m < shape.score.size(); ++m) {
-        const auto model = static_cast<ShapeModel>(m);
-        table.add({run.label, shape.threshold_m, model_name(model), shape.score[m],
-                   shape.difference[m], shape.standard_error[m],
-                   std::string(against_lognormal(shape, model))});
-      }
-    }
-  }
-  table.notes = {"Better, worse: by more than two standard errors over records."};
-  return with_listed(results, table);
+      "the other records gives to a record, per history and level. Higher is better.");
+  t.put_all(run_column, threshold_column);
+  t.text("model", "Model", "model", model_name);
+  const auto number = [&](const char* stem, const char* heading, const char* description,
+                          std::vector<double> S::*values) {
+    t.number(stem, heading, description, [=](const ShapeRun&, const S& shape, ShapeModel model) {
+       return (shape.*values)[static_cast<std::size_t>(model)];
+     }).decimals = 4;
+  };
+  number("score", "Score",
+         "ln probability of a record by the model fitted on the others, per history and level",
+         &S::score);
+  number("difference", "To lognormal", "score less that of the lognormal", &S::difference);
+  number("standard_error", "Standard error", "standard error of the difference, over records",
+         &S::standard_error);
+  t.text("against", "Against lognormal", "verdict against the lognormal",
+         [](const ShapeRun&, const S& shape, ShapeModel model) {
+           return against_lognormal(shape, model);
+         });
+  for (const ShapeRun& run : results.shape->runs)
+    for (const S& shape : run.thresholds)
+      for (std::size_t m = 0; m < shape.score.size(); ++m)
+        t.add(run, shape, static_cast<ShapeModel>(m));
+  t.notes = {"Better, worse: by more than two standard errors over records."};
+  return with_listed(results, t);
 }
 
 Table shape_levels_table(const Results& results) {
-  Table table{"shape_levels",
-              "Observed share, fitted probability of each model and recrossings, by level. "
-              "Histories that slide freely are in the observed share only.",
-              {run_column,
-               threshold_column,
-               level_column(results),
-               {"observed", "", "Observed", ColumnKind::share, "observed share"}},
-              {}};
+  using R = RunResults;
+  using F = ThresholdFragility;
+  using S = ThresholdShape;
+  ShapeTable t("shape_levels",
+               "Observed share, fitted probability of each model and recrossings, by level. "
+               "Histories that slide freely are in the observed share only.");
+  t.put_all(run_column, threshold_column);
+  t.put_all(intensity_column(results, "level", "Level", "intensity level",
+                             [&](std::size_t level) { return results.levels[level]; }));
+  t.share("observed", "Observed", "observed share",
+          [](const R&, const F& of, const S&, std::size_t level) { return of.probability[level]; });
   constexpr const char* stems[] = {"lognormal", "logit",    "complementary_log_log",
                                    "two_part",  "monotone", "one_surface"};
   static_assert(std::size(stems) == shape_model_count);
-  for (std::size_t m = 0; m < shape_model_count; ++m)
-    table.columns.push_back({stems[m], "", model_name(static_cast<ShapeModel>(m)),
-                             ColumnKind::share,
-                             "probability by the model " + model_name(static_cast<ShapeModel>(m)) +
-                                 ", fitted on all records"});
-  table.columns.push_back(
-      {"recrossed", "", "Recross", ColumnKind::share,
-       "share of histories that reached the threshold at a lower level and do not here"});
-  for (std::size_t r = 0; r < results.runs.size(); ++r) {
-    for (std::size_t t = 0; t < results.thresholds_m.size(); ++t) {
-      const ThresholdShape& shape = results.shape->runs[r].thresholds[t];
-      for (std::size_t level = 0; level < results.levels.size(); ++level) {
-        std::vector<Cell> row{results.runs[r].label, shape.threshold_m, results.levels[level],
-                              results.runs[r].fragilities[t].probability[level]};
-        for (std::size_t m = 0; m < shape_model_count; ++m)
-          row.emplace_back(shape.probability_at(static_cast<ShapeModel>(m), level));
-        row.emplace_back(shape.recrossed[level]);
-        table.add(std::move(row));
-      }
-    }
+  for (std::size_t m = 0; m < shape_model_count; ++m) {
+    const auto model = static_cast<ShapeModel>(m);
+    t.share(stems[m], model_name(model),
+            "probability by the model " + model_name(model) + ", fitted on all records",
+            [=](const R&, const F&, const S& shape, std::size_t level) {
+              return shape.probability_at(model, level);
+            });
   }
-  return with_listed(results, table);
+  t.share(
+      "recrossed", "Recross",
+      "share of histories that reached the threshold at a lower level and do not here",
+      [](const R&, const F&, const S& shape, std::size_t level) { return shape.recrossed[level]; });
+  add_each(t, results, results.levels.size());
+  return with_listed(results, t);
 }
 
 Table shape_crossings_table(const Results& results) {
-  Table table{
+  using C = ShapeCrossing;
+  TableOf<ShapeRun, C> t(
       "shape_crossings",
       "Where the lognormals of neighbouring clearances cross: on one side of it the larger "
-      "clearance would be exceeded with the higher probability.",
-      {run_column,
-       threshold_column,
-       {"next_threshold", "m", "Next, m (in)", ColumnKind::length, "the next larger threshold"},
-       intensity_column(results, "intensity", "Cross at", "where their lognormals cross"),
-       {"probability", "", "Probability there", ColumnKind::share,
-        "probability of both where they cross"},
-       text_column("within", "Between the levels",
-                   "whether they cross between the lowest and the highest level")},
-      {}};
-  for (const ShapeRun& run : results.shape->runs) {
-    for (const ShapeCrossing& c : run.crossings)
-      table.add({run.label, c.threshold_m, c.next_threshold_m, c.intensity, c.probability,
-                 std::string(c.within_levels ? "yes" : "no")});
-  }
-  return with_listed(results, table);
+      "clearance would be exceeded with the higher probability.");
+  t.put_all(run_column, threshold_column);
+  t.length("next_threshold", "Next", "the next larger threshold", &C::next_threshold_m);
+  t.put_all(intensity_column(results, "intensity", "Cross at", "where their lognormals cross",
+                             &C::intensity));
+  t.share("probability", "Probability there", "probability of both where they cross",
+          &C::probability);
+  t.text("within", "Between the levels",
+         "whether they cross between the lowest and the highest level", &C::within_levels);
+  t.add_each(results.shape->runs, &ShapeRun::crossings);
+  return with_listed(results, t);
 }
 
 Table shape_surface_table(const Results& results) {
-  Table table{"shape_surface",
-              "Fitted jointly: lognormals of all clearances with one log std, which never cross, "
-              "beside the separate fits.",
-              {run_column,
-               threshold_column,
-               intensity_column(results, "median", "Joint median",
-                                "median with one log_std for all thresholds", true),
-               {"log_std", "", "Joint log std [95 %]", ColumnKind::number,
-                "the one logarithmic standard deviation of all thresholds", true},
-               intensity_column(results, "separate_median", "Separate median",
-                                "median of the separate fit"),
-               {"separate_log_std", "", "Separate log std", ColumnKind::number,
-                "logarithmic standard deviation of the separate fit"}},
-              {}};
-  for (std::size_t r = 0; r < results.runs.size(); ++r) {
-    const ShapeRun& run = results.shape->runs[r];
-    for (const SurfaceMedian& row : run.surface) {
-      const auto of = std::ranges::find(results.runs[r].fragilities, row.threshold_m,
-                                        &ThresholdFragility::threshold_m);
-      if (of == results.runs[r].fragilities.end()) continue;
-      table.add({run.label, row.threshold_m, row.median, run.surface_log_std,
-                 of->capacities.curve.median, of->capacities.curve.log_std});
-    }
-  }
-  return with_listed(results, table);
+  TableOf<ShapeRun, SurfaceMedian, FragilityCurve> t(
+      "shape_surface",
+      "Fitted jointly: lognormals of all clearances with one log std, which never cross, beside "
+      "the separate fits.");
+  t.put_all(run_column, threshold_column);
+  t.put_all(intensity_column(results, "median", "Joint median",
+                             "median with one log_std for all thresholds", &SurfaceMedian::median));
+  t.number("log_std", "Joint log std", "the one logarithmic standard deviation of all thresholds",
+           &ShapeRun::surface_log_std);
+  t.put_all(intensity_column(results, "separate_median", "Separate median",
+                             "median of the separate fit", &FragilityCurve::median));
+  t.number("separate_log_std", "Separate log std",
+           "logarithmic standard deviation of the separate fit", &FragilityCurve::log_std);
+  for (std::size_t r = 0; r < results.runs.size(); ++r)
+    for (const SurfaceMedian& row : results.shape->runs[r].surface)
+      for (const ThresholdFragility& of : results.runs[r].fragilities)
+        if (of.threshold_m == row.threshold_m)
+          t.add(results.shape->runs[r], row, of.capacities.curve);
+  return with_listed(results, t);
 }
 
 }  // namespace glissade

@@ -6,38 +6,31 @@
 
 namespace glissade {
 Table standards_table(const Results& results) {
-  Table table{
+  using C = StandardComparison;
+  TableOf<RunResults, C> t(
       "standards",
-      std::string("Displacements prescribed by standards beside the computed slip. ") +
-          in_plan(results),
-      {run_column,
-       standard_column,
-       sds_column,
-       prescribed_column,
-       {"median_slip", "m", "Median, m (in)", ColumnKind::length,
-        "median peak displacement in plan at this level"},
-       {"p84_slip", "m", "84th, m (in)", ColumnKind::length,
-        "84th percentile of the peak displacement in plan"},
-       {"p95_slip", "m", "95th, m (in)", ColumnKind::length,
-        "95th percentile of the peak displacement in plan"},
-       {"mean_slip", "m", "Mean, m (in)", ColumnKind::length, "mean peak displacement in plan"},
-       {"exceedance_share", "", "Slip > prescribed [95 %]", ColumnKind::share,
-        "share of histories with more than the prescribed displacement", true},
-       text_column("provenance", "Provision", "how well the provision is known"),
-       text_column("basis", "Basis", "equation or clause")},
-      {}};
-  for (const RunResults& run : results.runs) {
-    for (const StandardComparison& comparison : run.standards) {
-      const SlipStatistics* found = slip_at(run, comparison.sds_g);
-      const SlipStatistics slip =
-          found ? *found : SlipStatistics{0.0, nan, nan, nan, nan, {}, {}, {}, nan};
-      table.add({run.label, standard_name(comparison.standard), comparison.sds_g,
-                 comparison.prescribed.value_m, slip.median_m, slip.p84_m, slip.p95_m, slip.mean_m,
-                 Estimate{comparison.exceedance_probability, comparison.exceedance_interval},
-                 provenance_label(comparison.prescribed.provenance), comparison.prescribed.basis});
-    }
-  }
-  return with_listed(results, table);
+      "Displacements prescribed by standards beside the computed slip. " + in_plan(results));
+  t.put_all(run_column, standard_column, sds_column, prescribed_column);
+  const auto slip = [&](const char* stem, const char* heading, const std::string& description,
+                        double SlipStatistics::*value_m) {
+    t.length(stem, heading, description, [=](const RunResults& run, const C& at) {
+      const SlipStatistics* found = slip_at(run, at.sds_g);
+      return found ? found->*value_m : nan;
+    });
+  };
+  const std::string peak = " peak displacement in plan", of_peak = " of the" + peak;
+  slip("median_slip", "Median", "median" + peak + " at this level", &SlipStatistics::median_m);
+  slip("p84_slip", "84th", "84th percentile" + of_peak, &SlipStatistics::p84_m);
+  slip("p95_slip", "95th", "95th percentile" + of_peak, &SlipStatistics::p95_m);
+  slip("mean_slip", "Mean", "mean" + peak, &SlipStatistics::mean_m);
+  t.share("exceedance_share", "Slip > prescribed",
+          "share of histories with more than the prescribed displacement",
+          with_interval(&C::exceedance_probability, &C::exceedance_interval));
+  t.text("provenance", "Provision", "how well the provision is known",
+         [](const C& of) { return provenance_label(of.prescribed.provenance); });
+  t.text("basis", "Basis", "equation or clause", [](const C& of) { return of.prescribed.basis; });
+  t.add_each(results.runs, &RunResults::standards);
+  return with_listed(results, t);
 }
 
 }  // namespace glissade

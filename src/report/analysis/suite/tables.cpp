@@ -24,45 +24,39 @@ std::string suites_text(const Results& results) {
 }  // namespace
 
 Table records_table(const Results& results) {
+  using R = RecordSummary;
   const bool of_roof = results.suites.front().of_roof;
   const PeakNames peak = peak_names(of_roof);
-  Table table{
+  TableOf<R> t(
       "records",
       fmt::format("{} motions of {}. {}, {} and {} are geometric means of the horizontals as "
                   "recorded, D5-95 the time from 5 to 95 % of the integral of their a^2; factor at "
                   "unit level is what the record is multiplied by at level 1 (0: depends on the "
                   "roof); 0 in magnitude, distance and vs30 means not given.",
                   of_roof ? "Roof" : "Ground", suites_text(results), capitalised(peak.acceleration),
-                  peak.velocity, peak.displacement),
-      {{"number", "", "No.", ColumnKind::count},
-       text_column("suite", "Suite"),
-       text_column("id", "Record"),
-       text_column("event", "Event"),
-       text_column("station", "Station"),
-       {"magnitude", "", "M"},
-       {"distance", "km", "R, km"},
-       {"vs30", "mps", "Vs30, m/s"},
-       {"suite_scale", "", "Suite factor"},
-       {"factor_at_unit_level", "", "Factor at level 1"},
-       {"pga", "g", capitalised(peak.acceleration) + std::string(", g")},
-       {"pgv", "mps", capitalised(peak.velocity) + ", m/s", ColumnKind::metric},
-       {"pgd", "m", capitalised(peak.displacement) + ", m", ColumnKind::metric},
-       {"duration", "s", "D5-95, s"},
-       {"dt", "s", "Step, s"},
-       {"samples", "", "Samples", ColumnKind::count},
-       text_column("has_second", "2nd axis"),
-       text_column("has_vertical", "Vertical"),
-       text_column("processing", "Processing")},
-      {}};
+                  peak.velocity, peak.displacement));
+  t.count("number", "No.", "", [&](const R& r) { return &r - results.records.data() + 1; });
+  t.text("suite", "Suite", "", [&](const R& r) { return results.suites.at(r.suite).name; });
+  t.text("id", "Record", "", &R::id);
+  t.text("event", "Event", "", &R::event);
+  t.text("station", "Station", "", &R::station);
+  t.number("magnitude", "M", "", &R::magnitude);
+  t.number("distance", "R", "", &R::distance_km, "km");
+  t.number("vs30", "Vs30", "", &R::vs30_mps, "mps");
+  t.number("suite_scale", "Suite factor", "", &R::suite_scale);
+  t.number("factor_at_unit_level", "Factor at level 1", "", &R::factor_at_unit_level);
+  t.number("pga", capitalised(peak.acceleration), "", &R::pga_g, "g");
+  t.put({"pgv", "mps", capitalised(peak.velocity) + ", m/s", ColumnKind::metric}, &R::pgv_mps);
+  t.put({"pgd", "m", capitalised(peak.displacement) + ", m", ColumnKind::metric}, &R::pgd_m);
+  t.number("duration", "D5-95", "", &R::duration_s, "s");
+  t.number("dt", "Step", "", &R::dt_s, "s");
+  t.count("samples", "Samples", "", &R::samples);
+  t.text("has_second", "2nd axis", "", &R::has_second);
+  t.text("has_vertical", "Vertical", "", &R::has_vertical);
+  t.text("processing", "Processing", "", &R::processing);
+  t.add_each(results.records);
+  Table table = t;
   table.is_of_inputs = true;
-  const auto yes_no = [](bool value) -> std::string { return value ? "yes" : "no"; };
-  for (const RecordSummary& r : results.records) {
-    table.add({static_cast<double>(table.rows.size() + 1), results.suites.at(r.suite).name, r.id,
-               r.event, r.station, r.magnitude, r.distance_km, r.vs30_mps, r.suite_scale,
-               r.factor_at_unit_level, r.pga_g, r.pgv_mps, r.pgd_m, r.duration_s, r.dt_s,
-               static_cast<double>(r.samples), yes_no(r.has_second), yes_no(r.has_vertical),
-               r.processing});
-  }
   if (results.suites.size() == 1) table = table.without("suite");
   if (std::ranges::all_of(results.records,
                           [](const RecordSummary& r) { return r.processing.empty(); }))
@@ -102,34 +96,27 @@ Table samples_table(const Results& results) {
   // A row takes ten times the memory of the sample's histories.
   constexpr std::size_t most = 4096;
   const std::size_t samples = results.cases.samples;
-  Table table{"samples",
-              samples <= most ? "The samples of the first combination."
-                              : fmt::format("The first {} of {} samples of the first combination; "
-                                            "all are in results.h5, group cases.",
-                                            most, samples),
-              {{"sample", "", "Sample", ColumnKind::count}},
-              {}};
-  table.is_of_inputs = true;
-  std::vector<const Parameter*> shown;
+  TableOf<std::size_t, Case> t(
+      "samples", samples <= most
+                     ? "The samples of the first combination."
+                     : fmt::format("The first {} of {} samples of the first combination; "
+                                   "all are in results.h5, group cases.",
+                                   most, samples));
+  t.is_of_inputs = true;
+  t.count("sample", "Sample", "", [](std::size_t sample) { return sample; });
   for (const Parameter& p : parameters()) {
     if (p.axes == Parameter::Axes::two && !slides_on_two_axes(results)) continue;
-    shown.push_back(&p);
-    const std::string unit = p.unit == std::string("-") ? "" : p.unit;
-    table.columns.push_back({std::string(p.table) + "_" + p.key, "",
-                             std::string(p.key) + (unit.empty() ? "" : ", " + unit),
-                             ColumnKind::number});
+    const std::string unit = p.unit == std::string("-") ? "" : std::string(", ") + p.unit;
+    t.number(std::string(p.table) + "_" + p.key, std::string(p.key) + unit, "",
+             [&](const Case& c) { return value_of(p, c); });
   }
-  table.columns.push_back({"ground_azimuth_deg", "", "Ground azimuth, deg"});
-  table.columns.push_back({"across_sign", "", "Sign across", ColumnKind::count});
-  for (std::size_t j = 0; j < std::min(samples, most); ++j) {
-    const Case& c = results.cases.cases[results.cases.index(0, j, 0)];
-    std::vector<Cell> row{static_cast<double>(j)};
-    for (const Parameter* p : shown) row.emplace_back(value_of(*p, c));
-    row.emplace_back(c.orientation.ground_azimuth_deg);
-    row.emplace_back(static_cast<double>(c.orientation.across_sign));
-    table.add(std::move(row));
-  }
-  return table;
+  t.number("ground_azimuth_deg", "Ground azimuth, deg", "",
+           [](const Case& c) { return c.orientation.ground_azimuth_deg; });
+  t.count("across_sign", "Sign across", "",
+          [](const Case& c) { return c.orientation.across_sign; });
+  for (std::size_t j = 0; j < std::min(samples, most); ++j)
+    t.add(j, results.cases.cases[results.cases.index(0, j, 0)]);
+  return t;
 }
 
 }  // namespace glissade

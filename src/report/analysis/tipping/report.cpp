@@ -24,24 +24,21 @@ std::vector<std::string> records_that_tip(const Results& results,
 }
 
 Table tipping_table(const Results& results) {
-  Table table{"tipping",
-              "Share of the histories in which the body begins to tip. Intensity measure: " +
-                  results.intensity_label + ".",
-              {condition_column,
-               level_column(results),
-               {"tip_share", "", "Begins to tip", ColumnKind::share,
-                "share of histories in which the body begins to tip"},
-               {"record_count", "", "Records that tip", ColumnKind::count,
-                "number of records in any of whose histories it tips"},
-               text_column("records", "They are", "ids of the records in which it tips")},
-              {},
-              {}};
-  for (const TippingShare& row : results.tipping->shares) {
-    const std::vector<std::string> names = records_that_tip(results, {row});
-    table.add({row.condition, row.level, row.share, static_cast<double>(names.size()),
-               fmt::format("{}", fmt::join(names, ", "))});
-  }
-  return results.cases.combinations() > 1 ? table : table.without("condition");
+  using S = TippingShare;
+  const auto names = [&](const S& row) { return records_that_tip(results, {row}); };
+  TableOf<S> t("tipping",
+               "Share of the histories in which the body begins to tip. Intensity "
+               "measure: " +
+                   results.intensity_label + ".");
+  t.put_all(condition_column, level_column(results));
+  t.share("tip_share", "Begins to tip", "share of histories in which the body begins to tip",
+          &S::share);
+  t.count("record_count", "Records that tip", "number of records in any of whose histories it tips",
+          [&](const S& row) { return names(row).size(); });
+  t.text("records", "They are", "ids of the records in which it tips",
+         [&](const S& row) { return fmt::format("{}", fmt::join(names(row), ", ")); });
+  t.add_each(results.tipping->shares);
+  return results.cases.combinations() > 1 ? t : t.without("condition");
 }
 
 std::vector<std::string> sentences(const Results& results) {
@@ -84,22 +81,20 @@ std::string summary(const Results& results) {
 }
 
 Table tipping_records_table(const Results& results) {
-  Table table{"tipping_by_record",
-              "Share of the histories of each record in which the body begins to tip. Intensity "
-              "measure: " +
-                  results.intensity_label + ".",
-              {condition_column,
-               level_column(results),
-               text_column("record", "Record", "id of the record"),
-               {"tip_share", "", "Begins to tip", ColumnKind::share,
-                "share of the histories of the record in which the body begins to tip"}},
-              {},
-              {}};
-  for (const TippingShare& row : results.tipping->shares) {
-    for (std::size_t r = 0; r < row.by_record.size(); ++r)
-      table.add({row.condition, row.level, results.records[r].id, row.by_record[r]});
-  }
-  return table;
+  using S = TippingShare;
+  TableOf<S, std::size_t> t(
+      "tipping_by_record",
+      "Share of the histories of each record in which the body begins to tip. Intensity measure: " +
+          results.intensity_label + ".");
+  t.put_all(condition_column, level_column(results));
+  t.text("record", "Record", "id of the record",
+         [&](const S&, std::size_t record) { return results.records[record].id; });
+  t.share("tip_share", "Begins to tip",
+          "share of the histories of the record in which the body begins to tip",
+          [](const S& row, std::size_t record) { return row.by_record[record]; });
+  for (const S& row : results.tipping->shares)
+    for (std::size_t r = 0; r < row.by_record.size(); ++r) t.add(row, r);
+  return t;
 }
 
 std::vector<Table> tables(const Results& results) {

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
+#include <tuple>
 
 #include "analysis/verdict/kinds.hpp"
 #include "glissade/report/format.hpp"
@@ -29,14 +31,10 @@ std::string ranges_of(const VerdictResults& verdict, VerdictKind kind, Judgement
   return text.empty() ? "-" : text;
 }
 
-VerdictProbability largest_of(VerdictKind kind, VerdictProbability VerdictRow::*at) {
-  return (*std::ranges::max_element(kind, {},
-                                    [&](const VerdictRow& row) { return (row.*at).probability; })).*
-         at;
-}
-
-const char* conditions_text(const VerdictRow& row) {
-  return row.within_conditions ? "within" : "outside";
+Estimate largest_of(VerdictKind kind, VerdictProbability VerdictRow::*at) {
+  const auto probability = [&](const VerdictRow& row) { return (row.*at).probability; };
+  const VerdictProbability& largest = (*std::ranges::max_element(kind, {}, probability)).*at;
+  return {largest.probability, largest.interval};
 }
 
 /// Where the prescribed displacements come from.
@@ -89,124 +87,106 @@ double response_modification(const Results& results, const VerdictRow& row) {
 
 namespace {
 
-const Column mu_column = {"mu", "", "Friction", ColumnKind::number,
-                          "coefficient of friction as stated: of what is drawn the mean of its "
-                          "distribution"},
-             conditions_column =
-                 text_column("conditions", "Conditions",
-                             "whether slope and friction meet the conditions of the standard");
+const ColumnOf mu_column{
+    Column{"mu", "", "Friction", ColumnKind::number,
+           "coefficient of friction as stated: of what is drawn the mean of its distribution"},
+    &VerdictRow::mu};
+const ColumnOf conditions_column{
+    text_column("conditions", "Conditions",
+                "whether slope and friction meet the conditions of the standard"),
+    [](const VerdictRow& row) { return row.within_conditions ? "within" : "outside"; }};
+
+/// Which row of the verdict.
+void put_row(auto& t, const Results& results) {
+  t.put_all(condition_column, mu_column, slope_column, standard_column, conditions_column,
+            sds_column);
+  t.number("response_modification", "R", "R of the building; 0: it stays elastic",
+           [&](const VerdictRow& row) { return response_modification(results, row); })
+      .detail = true;
+}
 
 enum class Earthquake { dbe, mce };
 
 /// The probability that more is needed in it.
-Column exceeded_column(Earthquake at, const std::string& heading) {
+void put_probability(auto& t, Earthquake at, const std::string& heading, auto value) {
   const bool is_dbe = at == Earthquake::dbe;
-  return {is_dbe ? "dbe_probability" : "mce_probability",
-          "",
-          heading + (is_dbe ? " at DBE [95 %]" : " at MCE [95 %]"),
-          ColumnKind::share,
+  t.share(is_dbe ? "dbe_probability" : "mce_probability",
+          heading + (is_dbe ? " at DBE" : " at MCE"),
           std::string("probability that more is needed at ") + (is_dbe ? "S_DS" : "1.5 S_DS") +
               ", in the building whose period makes it largest",
-          true};
+          value);
 }
 
-Column period_column(const char* stem) {
-  return {stem, "s", "Period, s", ColumnKind::number,
-          "building period that makes the probability largest"};
+/// Both, each with the period.
+template <class Of>
+void put_exceeded(auto& t) {
+  for (const auto& [earthquake, at, stem] : {std::tuple{Earthquake::dbe, &Of::dbe, "dbe_period"},
+                                             {Earthquake::mce, &Of::mce, "mce_period"}}) {
+    put_probability(t, earthquake, "Exceeded", [at = at](const Of& of) {
+      return Estimate{(of.*at).probability, (of.*at).interval};
+    });
+    t.number(
+        stem, "Period", "building period that makes the probability largest",
+        [at = at](const Of& of) { return (of.*at).period_s; }, "s");
+  }
 }
-
-/// Which row of the verdict: the first columns of its tables, and their cells.
-std::vector<Column> row_columns(std::initializer_list<Column> others) {
-  std::vector<Column> columns{condition_column,
-                              mu_column,
-                              slope_column,
-                              standard_column,
-                              conditions_column,
-                              sds_column,
-                              detail({"response_modification", "", "R", ColumnKind::number,
-                                      "R of the building; 0: it stays elastic"})};
-  columns.insert(columns.end(), others);
-  return columns;
-}
-
-std::vector<Cell> row_cells(const Results& results, const VerdictRow& row,
-                            std::initializer_list<Cell> others) {
-  std::vector<Cell> cells{row.condition,
-                          row.mu,
-                          row.slope_deg,
-                          standard_name(row.standard),
-                          std::string(conditions_text(row)),
-                          row.sds_g,
-                          response_modification(results, row)};
-  cells.insert(cells.end(), others);
-  return cells;
-}
-
-Estimate estimate(const VerdictProbability& of) { return {of.probability, of.interval}; }
 
 }  // namespace
 
 Table verdict_table(const Results& results) {
   const VerdictResults& verdict = *results.verdict;
-  Table table{
-      "verdict",
-      "Prescribed displacements, in the building whose period makes each number largest",
-      row_columns({prescribed_column, provision_column,
-                   exceeded_column(Earthquake::dbe, "Exceeded"), period_column("dbe_period"),
-                   exceeded_column(Earthquake::mce, "Exceeded"), period_column("mce_period")}),
-      {}};
-  for (const double p : verdict.exceedance)
-    table.columns.push_back({fmt::format("displacement_{:g}_percent", 100.0 * p), "m",
-                             percent(p) + " exceed, m (in) [95 %]", ColumnKind::length,
-                             "displacement that is exceeded at S_DS with " + percent(p), true});
-  table.columns.push_back(
-      {"ratio", "", percent(verdict.exceedance.front()) + " over prescribed [95 %]",
-       ColumnKind::number, "displacement exceeded with the accepted probability over prescribed",
-       true});
-  table.columns.push_back(text_column("judgement", "Judgement", "judgement at S_DS"));
-  table.columns.push_back(
-      text_column("certain", "Interval on one side of " + percent(verdict.exceedance.front()),
-                  "whether the interval lies on one side of the accepted probability"));
-  for (const VerdictRow& row : verdict.rows) {
-    std::vector<Cell> cells =
-        row_cells(results, row,
-                  {row.prescribed.value_m, std::string(provision_text({&row, 1})),
-                   estimate(row.dbe), row.dbe.period_s, estimate(row.mce), row.mce.period_s});
-    for (std::size_t i = 0; i < row.displacement_m.size(); ++i)
-      cells.emplace_back(Estimate{row.displacement_m[i], row.displacement_interval[i]});
-    const double prescribed_m = row.prescribed.value_m;
-    const auto [low_m, high_m] = row.displacement_interval.front();
-    cells.emplace_back(Estimate{row.displacement_m.front() / prescribed_m,
-                                {low_m / prescribed_m, high_m / prescribed_m}});
-    cells.emplace_back(judgement_text(judgement(verdict, row)));
-    cells.emplace_back(std::string(is_certain(verdict, row) ? "yes" : "no"));
-    table.add(std::move(cells));
+  using R = VerdictRow;
+  TableOf<R> t("verdict",
+               "Prescribed displacements, in the building whose period makes each number largest");
+  put_row(t, results);
+  t.put_all(prescribed_column, provision_column);
+  put_exceeded<R>(t);
+  for (std::size_t i = 0; i < verdict.exceedance.size(); ++i) {
+    const double p = verdict.exceedance[i];
+    t.put({fmt::format("displacement_{:g}_percent", 100.0 * p), "m",
+           percent(p) + " exceed, m (in) [95 %]", ColumnKind::length,
+           "displacement that is exceeded at S_DS with " + percent(p), true},
+          [=](const R& row) -> Cell {
+            return Estimate{row.displacement_m[i], row.displacement_interval[i]};
+          });
   }
-  return table;
+  t.number("ratio", percent(verdict.exceedance.front()) + " over prescribed",
+           "displacement exceeded with the accepted probability over prescribed", [](const R& row) {
+             const double prescribed_m = row.prescribed.value_m;
+             const auto [low_m, high_m] = row.displacement_interval.front();
+             return Estimate{row.displacement_m.front() / prescribed_m,
+                             {low_m / prescribed_m, high_m / prescribed_m}};
+           });
+  t.text("judgement", "Judgement", "judgement at S_DS",
+         [&](const R& row) { return judgement_text(judgement(verdict, row)); });
+  t.text("certain", "Interval on one side of " + percent(verdict.exceedance.front()),
+         "whether the interval lies on one side of the accepted probability",
+         [&](const R& row) { return is_certain(verdict, row); });
+  t.add_each(verdict.rows);
+  return t;
 }
 
 Table verdict_summary_table(const Results& results) {
   const VerdictResults& verdict = *results.verdict;
-  Table table{"verdict_summary",
-              "The prescribed displacement at the S_DS of the study",
-              {slope_column, mu_column, standard_column, provision_column, conditions_column,
-               text_column("exceeded", "Exceeded at S_DS, g",
-                           "ranges of S_DS (g) at which the judgement is exceeded"),
-               text_column("conservative", "Conservative at S_DS, g",
-                           "ranges of S_DS (g) at which the judgement is conservative"),
-               exceeded_column(Earthquake::dbe, "Largest"),
-               exceeded_column(Earthquake::mce, "Largest"), condition_column},
-              {}};
-  for (const VerdictKind kind : verdict_kinds(verdict)) {
-    const VerdictProbability dbe = largest_of(kind, &VerdictRow::dbe),
-                             mce = largest_of(kind, &VerdictRow::mce);
-    table.add({kind.front().slope_deg, kind.front().mu, standard_name(kind.front().standard),
-               provision_text(kind), std::string(conditions_text(kind.front())),
-               ranges_of(verdict, kind, Judgement::exceeded),
-               ranges_of(verdict, kind, Judgement::conservative), estimate(dbe), estimate(mce),
-               kind.front().condition});
-  }
-  table.notes = {fmt::format(
+  TableOf<VerdictRow, VerdictKind> t("verdict_summary",
+                                     "The prescribed displacement at the S_DS of the study");
+  t.put_all(slope_column, mu_column, standard_column);
+  t.put(provision_column, provision_text);
+  t.put_all(conditions_column);
+  for (const auto& [stem, heading, wanted] :
+       {std::tuple{"exceeded", "Exceeded", Judgement::exceeded},
+        {"conservative", "Conservative", Judgement::conservative}})
+    t.text(
+        stem, heading + std::string(" at S_DS, g"),
+        "ranges of S_DS (g) at which the judgement is " + std::string(stem),
+        [&, wanted = wanted](const VerdictKind& kind) { return ranges_of(verdict, kind, wanted); });
+  put_probability(t, Earthquake::dbe, "Largest",
+                  [](const VerdictKind& kind) { return largest_of(kind, &VerdictRow::dbe); });
+  put_probability(t, Earthquake::mce, "Largest",
+                  [](const VerdictKind& kind) { return largest_of(kind, &VerdictRow::mce); });
+  t.put_all(condition_column);
+  for (const VerdictKind& kind : verdict_kinds(verdict)) t.add(kind.front(), kind);
+  t.notes = {fmt::format(
       "Exceeded: with more than {} probability at DBE. Conservative: more than twice the "
       "displacement that {} of the histories exceed at DBE. Conditions: slope and friction of the "
       "standard. Provision: reproduced from a source (checked), or from memory of the standard "
@@ -217,7 +197,7 @@ Table verdict_summary_table(const Results& results) {
     return axis.key != "friction.mu" && axis.key != "roof.slope_deg" &&
            axis.key != "building.period_s";
   });
-  return lists_more ? table : table.without("condition");
+  return lists_more ? t : t.without("condition");
 }
 
 namespace {
@@ -234,62 +214,43 @@ std::span<const VerdictSeparation> all_of(const VerdictResults& verdict, Verdict
 
 Table verdict_separations_table(const Results& results) {
   const VerdictResults& verdict = *results.verdict;
-  Table table{
-      "verdict_separations",
-      "Probability that more than a separation is needed",
-      row_columns({text_column("separation", "Separation", "what the separation is between"),
-                   {"factor", "", "x prescribed", ColumnKind::number,
-                    "factor on the prescribed displacement"},
-                   {"value", "m", "Separation, m (in)", ColumnKind::length, "separation"},
-                   exceeded_column(Earthquake::dbe, "Exceeded"),
-                   period_column("dbe_period"),
-                   exceeded_column(Earthquake::mce, "Exceeded"),
-                   period_column("mce_period")}),
-      {}};
-  for (const VerdictSeparation& s : verdict.separations) {
-    const VerdictRow& row = verdict.rows[s.row];
-    table.add(row_cells(results, row,
-                        {s.what, s.factor, s.value_m, estimate(s.dbe), s.dbe.period_s,
-                         estimate(s.mce), s.mce.period_s}));
-  }
-  return table;
+  using S = VerdictSeparation;
+  TableOf<VerdictRow, S> t("verdict_separations",
+                           "Probability that more than a separation is needed");
+  put_row(t, results);
+  t.text("separation", "Separation", "what the separation is between", &S::what);
+  t.number("factor", "x prescribed", "factor on the prescribed displacement", &S::factor);
+  t.length("value", "Separation", "separation", &S::value_m);
+  put_exceeded<S>(t);
+  for (const S& s : verdict.separations) t.add(verdict.rows[s.row], s);
+  return t;
 }
 
 Table verdict_separations_summary_table(const Results& results) {
   const VerdictResults& verdict = *results.verdict;
-  Table table{"verdict_separations_summary",
-              "The separations: largest probability at DBE that more is needed",
-              {slope_column, mu_column, standard_column, conditions_column},
-              {}};
-  std::vector<double> factors;
-  for (const VerdictSeparation& s : verdict.separations) {
-    if (std::ranges::find(factors, s.factor) == factors.end()) factors.push_back(s.factor);
-  }
-  std::ranges::sort(factors);
+  TableOf<VerdictRow, VerdictKind> t(
+      "verdict_separations_summary",
+      "The separations: largest probability at DBE that more is needed");
+  t.put_all(slope_column, mu_column, standard_column, conditions_column);
+  std::set<double> factors;
+  for (const VerdictSeparation& s : verdict.separations) factors.insert(s.factor);
   for (const double factor : factors)
-    table.columns.push_back({fmt::format("dbe_probability_{:g}", factor), "",
-                             fmt::format("{:g} x prescribed [95 %]", factor), ColumnKind::share,
-                             fmt::format("largest probability at S_DS that more than {:g} times "
-                                         "the prescribed displacement is needed",
-                                         factor),
-                             true});
-  for (const VerdictKind kind : verdict_kinds(verdict)) {
-    std::vector<Cell> cells{kind.front().slope_deg, kind.front().mu,
-                            standard_name(kind.front().standard),
-                            std::string(conditions_text(kind.front()))};
-    for (const double factor : factors) {
-      const VerdictSeparation* governing = governing_of(all_of(verdict, kind), factor);
-      cells.emplace_back(governing != nullptr ? estimate(governing->dbe)
-                                              : Estimate{std::nan(""), {}});
-    }
-    table.add(std::move(cells));
-  }
-  table.notes = {fmt::format(
+    t.share(fmt::format("dbe_probability_{:g}", factor), fmt::format("{:g} x prescribed", factor),
+            fmt::format("largest probability at S_DS that more than {:g} times the prescribed "
+                        "displacement is needed",
+                        factor),
+            [&, factor](const VerdictKind& kind) {
+              const VerdictSeparation* most = governing_of(all_of(verdict, kind), factor);
+              return most ? Estimate{most->dbe.probability, most->dbe.interval}
+                          : Estimate{std::nan(""), {}};
+            });
+  for (const VerdictKind& kind : verdict_kinds(verdict)) t.add(kind.front(), kind);
+  t.notes = {fmt::format(
       "0.5: between similar arrays {}, each with a friction of its own, the larger of the gaps "
       "along and across the slope. 1: to a fixed object or an edge with a parapet. 2: to an edge "
       "without. Two arrays move under the same motion, each as if it were alone on the building.",
       neighbours_text(results))};
-  return table;
+  return t;
 }
 
 }  // namespace glissade
