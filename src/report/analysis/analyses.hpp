@@ -22,6 +22,12 @@ struct AnalysisReport {
   Html (*section)(const Results&) = nullptr;               ///< of a page, with a heading
 };
 
+/// A part that has what each of some functions gives.
+template <auto... functions>
+auto each(const Results& results) {
+  return std::vector{functions(results)...};
+}
+
 /// Of the analyses that the results have, in the order in which they are reported.
 std::vector<AnalysisReport> analyses_in(const Results& results);
 

@@ -83,11 +83,7 @@ constexpr const char* what =
     "peaks along both axes, ";
 
 MeansByCondition means_of(const Results& results) {
-  return {results,
-          ConditionColumns(results),
-          nullptr,
-          all_conditions(ConditionGrid(results)),
-          results.base_shear->means,
+  return {results, ConditionColumns(results), nullptr, results.base_shear->means,
           ColumnKind::number};
 }
 

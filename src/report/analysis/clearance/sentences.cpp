@@ -97,7 +97,7 @@ namespace {
 /// The condition, the governing period and the clearance, for a terminal.
 Table brief_clearance_table(const Results& results) {
   Table table = clearance_table(results);
-  const std::size_t conditions = ConditionColumns(results).columns().size();
+  const std::size_t conditions = ConditionColumns(results).count();
   const std::string other = results.clearance->orientation == OrientationRule::largest
                                 ? "clearance_median"
                                 : "clearance_highest";

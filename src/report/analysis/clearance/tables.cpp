@@ -25,11 +25,7 @@ const Column* below_roof(const Results& results, const Column& column) {
 }
 
 MeansByCondition largest_means(const Results& results) {
-  MeansByCondition of{results,
-                      conditions_of(results),
-                      below_roof(results, governing_column),
-                      sliding_conditions(ConditionGrid(results), Periods::largest),
-                      {}};
+  MeansByCondition of{results, conditions_of(results), below_roof(results, governing_column), {}};
   for (const RequiredClearance& required : results.clearance->required)
     of.means.push_back(required.largest);
   return of;
@@ -37,7 +33,7 @@ MeansByCondition largest_means(const Results& results) {
 
 MeansByCondition means_by_period(const Results& results) {
   return {results, conditions_of(results), below_roof(results, period_column),
-          sliding_conditions(ConditionGrid(results), Periods::one), results.clearance->by_period};
+          results.clearance->by_period};
 }
 
 }  // namespace
@@ -139,47 +135,46 @@ Table clearance_histories_table(const Results& results) {
   const std::vector<CaseNumber> same = same_orientations(results);
   const ConditionColumns conditions(results);
   const bool shear = results.base_shear.has_value();
-  Table table{"histories",
-              std::string("Every history of the required clearance, in plan, by the roof's axes: "
-                          "along the slope (positive where it falls)") +
-                  (slides_on_two_axes(results) ? " and across it" : "") +
-                  (shear ? "; base shear over the building's weight without the array" : ""),
-              {text_column("record", "Record"), text_column("orientation", "Orientation")},
-              {},
-              {}};
-  table.is_of_inputs = true;
-  append(table.columns, conditions.columns());
-  append(table.columns,
-         {range_column("displacement", "Displacement"), range_column("vector_peak", "Vector peak"),
-          range_column("peak_along", "Peak along"), range_column("peak_across", "Peak across"),
-          range_column("residual_along", "Residual along"),
-          range_column("residual_across", "Residual across")});
+  struct Row {
+    const RecordSummary& record;
+    std::size_t suite, orientation;
+    Condition at;
+    ConditionHistory history;
+  };
+  TableOf<Row> t(
+      "histories",
+      std::string("Every history of the required clearance, in plan, by the roof's axes: "
+                  "along the slope (positive where it falls)") +
+          (slides_on_two_axes(results) ? " and across it" : "") +
+          (shear ? "; base shear over the building's weight without the array" : ""));
+  t.is_of_inputs = true;
+  t.text("record", "Record", "", [](const Row& row) { return row.record.id; });
+  t.text("orientation", "Orientation", "", [&](const Row& row) {
+    return orientation_text(results, orientation_at(results, row.orientation));
+  });
+  conditions.put_in(t);
+  t.length("displacement", "Displacement", "",
+           [](const Row& row) { return row.history.displacement_m(); });
+  t.length("vector_peak", "Vector peak", "", [](const Row& row) { return row.history.peak_m(); });
+  const auto mean = [](HistoryValues<double> HistoryFields::*of) {
+    return [=](const Row& row) { return row.history.mean(of); };
+  };
+  t.length("peak_along", "Peak along", "", mean(&HistoryFields::peak_along_m));
+  t.length("peak_across", "Peak across", "", mean(&HistoryFields::peak_across_m));
+  t.length("residual_along", "Residual along", "", mean(&HistoryFields::residual_along_m));
+  t.length("residual_across", "Residual across", "", mean(&HistoryFields::residual_across_m));
   if (shear) {
-    append(table.columns,
-           {{"shear_along", "", "Base shear along"}, {"shear_across", "", "Base shear across"}});
+    t.number("shear_along", "Base shear along", "", mean(&HistoryFields::shear_along));
+    t.number("shear_across", "Base shear across", "", mean(&HistoryFields::shear_across));
   }
-  append(table.columns, {{"uplift", "", "Uplift", ColumnKind::count}});
-  std::vector<HistoryValues<double> HistoryFields::*> fields{
-      &HistoryFields::peak_along_m, &HistoryFields::peak_across_m, &HistoryFields::residual_along_m,
-      &HistoryFields::residual_across_m};
-  if (shear)
-    fields.insert(fields.end(), {&HistoryFields::shear_along, &HistoryFields::shear_across});
-  for (std::size_t record = 0; record < results.records.size(); ++record) {
-    for (std::size_t o = 0; o < same.size(); ++o) {
-      if (same[o] != o) continue;
-      for (const Condition& at : places) {
-        const ConditionHistory h = grid.history(record, o, at);
-        std::vector<Cell> row{results.records[record].id,
-                              orientation_text(results, orientation_at(results, o))};
-        append(row, conditions.cells(results.records[record].suite, at));
-        append(row, {h.displacement_m(), h.peak_m()});
-        for (const auto field : fields) row.emplace_back(h.mean(field));
-        append(row, {h.lifts_off() ? 1.0 : 0.0});
-        table.add(std::move(row));
-      }
-    }
+  t.count("uplift", "Uplift", "", [](const Row& row) { return row.history.lifts_off() ? 1 : 0; });
+  for (std::size_t r = 0; r < results.records.size(); ++r) {
+    const RecordSummary& record = results.records[r];
+    for (std::size_t o = 0; o < same.size(); ++o)
+      for (const Condition& at : places)
+        if (same[o] == o) t.add({record, record.suite, o, at, grid.history(r, o, at)});
   }
-  return table;
+  return t;
 }
 
 }  // namespace glissade

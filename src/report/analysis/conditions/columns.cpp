@@ -42,23 +42,6 @@ ConditionColumns::ConditionColumns(const Results& results, std::vector<Condition
   }
 }
 
-std::vector<Column> ConditionColumns::columns() const {
-  std::vector<Column> columns;
-  if (grid_.results().suites.size() > 1)
-    columns.push_back(text_column("suite", "Suite", "name of the suite"));
-  for (const ConditionAxis axis : axes_)
-    columns.push_back(condition_column_of(grid_.results(), axis));
-  return columns;
-}
-
-std::vector<Cell> ConditionColumns::cells(std::size_t suite, const Condition& at) const {
-  std::vector<Cell> cells;
-  const std::vector<SuiteSummary>& suites = grid_.results().suites;
-  if (suites.size() > 1) cells.emplace_back(suites[suite].name);
-  for (const ConditionAxis axis : axes_) cells.push_back(condition_cell(grid_, axis, at[axis]));
-  return cells;
-}
-
 Column condition_column_of(const Results& results, ConditionAxis axis) {
   switch (axis) {
     case ConditionAxis::listed:

@@ -9,23 +9,38 @@
 
 namespace glissade {
 
+/// The column of an axis.
+Column condition_column_of(const Results& results, ConditionAxis axis);
+/// What stands in it at a place.
+Cell condition_cell(const ConditionGrid& grid, ConditionAxis axis, std::size_t place);
+
 /// The columns that name a condition: only those whose axis has several values.
 class ConditionColumns {
  public:
   explicit ConditionColumns(const Results& results, std::vector<ConditionAxis> without = {});
 
-  std::vector<Column> columns() const;
-  std::vector<Cell> cells(std::size_t suite, const Condition& at) const;
+  std::size_t count() const { return axes_.size() + (suites().size() > 1 ? 1 : 0); }
+  /// Into a table of which something that its rows are of has a `suite` and is `at` a condition.
+  void put_in(auto& table) const {
+    if (suites().size() > 1)
+      table.text("suite", "Suite", "name of the suite",
+                 [this](const auto& row) -> decltype(row.at, std::string()) {
+                   return suites()[row.suite].name;
+                 });
+    for (const ConditionAxis axis : axes_)
+      table.put(condition_column_of(grid_.results(), axis),
+                [this, axis](const auto& row) -> decltype(row.at, Cell()) {
+                  return condition_cell(grid_, axis, row.at[axis]);
+                });
+  }
 
  private:
+  const std::vector<SuiteSummary>& suites() const { return grid_.results().suites; }
+
   ConditionGrid grid_;
   std::vector<ConditionAxis> axes_;
 };
 
-/// The column of an axis.
-Column condition_column_of(const Results& results, ConditionAxis axis);
-/// What stands in it at a place.
-Cell condition_cell(const ConditionGrid& grid, ConditionAxis axis, std::size_t place);
 /// The rows of a table at a condition but for its place on an axis.
 Where rows_at(const Results& results, const Table& table, const Condition& at, ConditionAxis but);
 

@@ -16,94 +16,84 @@ const char* what_is_averaged(ColumnKind kind) {
              : "mean over the suite of the base shear over the weight of the building";
 }
 
-std::vector<Column> range_columns(ColumnKind kind) {
-  const std::string mean = what_is_averaged(kind);
-  std::vector<Column> columns{
-      range_column("lowest", "Lowest", mean + ", all records in the least orientation", kind),
-      range_column("median", "Median", mean + ", median over the orientations", kind),
-      range_column("highest", "Highest", mean + ", all records in the largest orientation", kind),
-      range_column("bound_lowest", "Lower bound", mean + ", each record in its least orientation",
-                   kind),
-      range_column("bound_highest", "Upper bound",
-                   mean + ", each record in its largest orientation", kind),
-      range_column("largest", "Largest history", "largest of all records and orientations", kind)};
-  columns[1].with_interval = columns[2].with_interval = true;
-  // A terminal has no room for all: displacements have their bounds, shears their largest.
-  columns[3].detail = columns[4].detail = kind != ColumnKind::length;
-  columns[5].detail = kind == ColumnKind::length;
-  return columns;
-}
-
-std::vector<Cell> range_cells(const SuiteMean& mean) {
-  const OrientationRange& range = mean.range;
-  return {range.lowest,
-          Estimate{range.median, range.interval},
-          Estimate{range.highest, range.highest_interval},
-          mean.bounds.lowest,
-          mean.bounds.highest,
-          mean.largest};
-}
-
-std::vector<Column> place_columns(const MeansByCondition& of) {
-  std::vector<Column> columns = of.conditions.columns();
-  if (of.period != nullptr) columns.push_back(*of.period);
-  return columns;
-}
-
-std::vector<Cell> place_cells(const MeansByCondition& of, std::size_t i) {
-  std::vector<Cell> cells = of.conditions.cells(of.means[i].suite, of.places[i % of.places.size()]);
-  if (of.period != nullptr) {
-    constexpr ConditionAxis period = ConditionAxis::period;
-    cells.emplace_back(ConditionGrid(of.results).value(period, of.means[i].at[period]));
-  }
-  return cells;
+/// Which mean a row is.
+void put_place(auto& t, const MeansByCondition& of) {
+  of.conditions.put_in(t);
+  if (of.period != nullptr)
+    t.put(*of.period, [grid = ConditionGrid(of.results)](const SuiteMean& mean) {
+      return grid.value(ConditionAxis::period, mean.at[ConditionAxis::period]);
+    });
 }
 
 }  // namespace
 
 Table means_table(const MeansByCondition& of, FileName name, std::string title) {
-  Table table{std::move(name), std::move(title), place_columns(of), {}, {}};
-  append(table.columns, range_columns(of.kind));
-  for (std::size_t i = 0; i < of.means.size(); ++i) {
-    std::vector<Cell> row = place_cells(of, i);
-    append(row, range_cells(of.means[i]));
-    table.add(std::move(row));
-  }
-  table.notes = {"[ ]: 95 % interval, from resampling records",
-                 "bounds: with the orientation chosen record by record"};
-  return table;
+  using M = SuiteMean;
+  TableOf<M> t(std::move(name), std::move(title));
+  put_place(t, of);
+  const auto put = [&](const char* stem, const char* heading, const std::string& which,
+                       auto value) -> Column& {
+    return t.put(range_column(stem, heading, which, of.kind), value);
+  };
+  const std::string mean = what_is_averaged(of.kind);
+  put("lowest", "Lowest", mean + ", all records in the least orientation",
+      [](const M& m) { return m.range.lowest; });
+  put("median", "Median", mean + ", median over the orientations", [](const M& m) -> Cell {
+    return Estimate{m.range.median, m.range.interval};
+  }).with_interval = true;
+  put("highest", "Highest", mean + ", all records in the largest orientation",
+      [](const M& m) -> Cell {
+        return Estimate{m.range.highest, m.range.highest_interval};
+      })
+      .with_interval = true;
+  // A terminal has no room for all: displacements have their bounds, shears their largest.
+  const bool is_length = of.kind == ColumnKind::length;
+  put("bound_lowest", "Lower bound", mean + ", each record in its least orientation",
+      [](const M& m) { return m.bounds.lowest; })
+      .detail = !is_length;
+  put("bound_highest", "Upper bound", mean + ", each record in its largest orientation",
+      [](const M& m) { return m.bounds.highest; })
+      .detail = !is_length;
+  put("largest", "Largest history", "largest of all records and orientations", &M::largest).detail =
+      is_length;
+  t.add_each(of.means);
+  t.notes = {"[ ]: 95 % interval, from resampling records",
+             "bounds: with the orientation chosen record by record"};
+  return t;
 }
 
 Table means_by_orientation_table(const MeansByCondition& of, FileName name, std::string title) {
-  Table table{std::move(name), std::move(title), place_columns(of), {}, {}};
-  append(table.columns, {{"orientation", "", "Orientation", ColumnKind::count,
-                          "orientation of all records: from 1, as in `cases`"},
-                         range_column("mean", "Mean", what_is_averaged(of.kind), of.kind)});
-  for (std::size_t i = 0; i < of.means.size(); ++i) {
-    for (std::size_t o = 0; o < of.means[i].by_orientation.size(); ++o) {
-      std::vector<Cell> row = place_cells(of, i);
-      append(row, {static_cast<double>(o + 1), of.means[i].by_orientation[o]});
-      table.add(std::move(row));
-    }
-  }
-  return table;
+  TableOf<SuiteMean, std::size_t> t(std::move(name), std::move(title));
+  put_place(t, of);
+  t.count("orientation", "Orientation", "orientation of all records: from 1, as in `cases`",
+          [](std::size_t o) { return o + 1; });
+  t.put(range_column("mean", "Mean", what_is_averaged(of.kind), of.kind),
+        [](const SuiteMean& mean, std::size_t o) { return mean.by_orientation[o]; });
+  for (const SuiteMean& mean : of.means)
+    for (std::size_t o = 0; o < mean.by_orientation.size(); ++o) t.add(mean, o);
+  return t;
 }
 
 Table ratios_table(const RatiosByCondition& of, FileName name, std::string title) {
-  Table table{std::move(name), std::move(title), of.conditions.columns(), {}, {}};
-  constexpr ColumnKind number = ColumnKind::number;
-  append(table.columns, {range_column("lowest", "Lowest", "least orientation", number),
-                         range_column("median", "Median", "median over the orientations", number),
-                         range_column("highest", "Highest", "largest orientation", number)});
-  for (const Condition& at : of.places) {
-    const std::vector<double> ratios =
-        ratios_by_orientation(of.results, of.question, at, of.reference(at));
-    std::vector<Cell> row = of.conditions.cells(of.question.suite, at);
-    append(row, {ratios.empty() ? nan : ratios.front(), quantile_of(ratios, 0.5),
-                 ratios.empty() ? nan : ratios.back()});
-    table.add(std::move(row));
-  }
-  return table;
+  struct Ratios {
+    std::size_t suite;
+    Condition at;
+    std::vector<double> values;
+  };
+  TableOf<Ratios> t(std::move(name), std::move(title));
+  of.conditions.put_in(t);
+  const auto put = [&](const char* stem, const char* heading, const char* description,
+                       double share) {
+    t.number(stem, heading, description,
+             [=](const Ratios& r) { return quantile_of(r.values, share); });
+  };
+  put("lowest", "Lowest", "least orientation", 0.0);
+  put("median", "Median", "median over the orientations", 0.5);
+  put("highest", "Highest", "largest orientation", 1.0);
+  for (const Condition& at : of.places)
+    t.add({of.question.suite, at,
+           ratios_by_orientation(of.results, of.question, at, of.reference(at))});
+  return t;
 }
 
 }  // namespace glissade

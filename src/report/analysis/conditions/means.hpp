@@ -16,7 +16,6 @@ struct MeansByCondition {
   const Results& results;
   ConditionColumns conditions;
   const Column* period;  ///< after these, where it is not one of them
-  std::vector<Condition> places;
   std::vector<SuiteMean> means;
   ColumnKind kind = ColumnKind::length;
 };

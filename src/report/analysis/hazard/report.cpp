@@ -164,13 +164,6 @@ std::string summary(const Results& results) {
   return text + paragraphs(life_sentences(results, run));
 }
 
-std::vector<Table> tables(const Results& results) {
-  return {hazard_table(results),       hazard_targets_table(results),
-          design_life_table(results),  life_distribution_table(results),
-          hazard_curve_table(results), hazard_standards_table(results),
-          hazard_ground_table(results)};
-}
-
 Html section(const Results& results) {
   const HazardResults& hazard = *results.hazard;
   const Table standards = hazard_standards_table(results);
@@ -218,11 +211,10 @@ AnalysisReport HazardAnalysis::in_report() {
   return {.is_in = [](const Results& results) { return results.hazard.has_value(); },
           .summary = summary,
           .sentences = hazard_sentences,
-          .figures =
-              [](const Results& results) {
-                return std::vector{hazard_figure(results), life_figure(results)};
-              },
-          .tables = tables,
+          .figures = each<hazard_figure, life_figure>,
+          .tables = each<[](const Results& r) { return hazard_table(r); }, hazard_targets_table,
+                         design_life_table, life_distribution_table, hazard_curve_table,
+                         hazard_standards_table, hazard_ground_table>,
           .section = section};
 }
 

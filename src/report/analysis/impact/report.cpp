@@ -175,11 +175,8 @@ std::vector<std::string> sentences(const Results& results) {
 AnalysisReport ImpactAnalysis::in_report() {
   return {.is_in = has_impact,
           .sentences = sentences,
-          .figures =
-              [](const Results& results) {
-                return std::vector{impact_figure(results, results.runs.front())};
-              },
-          .tables = [](const Results& results) { return std::vector{impact_table(results)}; },
+          .figures = [](const Results& r) { return std::vector{impact_figure(r, r.runs.front())}; },
+          .tables = each<impact_table>,
           .section = section};
 }
 }  // namespace glissade

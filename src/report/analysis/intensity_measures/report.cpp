@@ -182,17 +182,14 @@ Html section(const Results& results) {
 }  // namespace
 
 AnalysisReport IntensityMeasuresAnalysis::in_report() {
-  return {
-      .is_in =
-          [](const Results& results) {
-            return results.intensity_measures && !results.intensity_measures->empty();
-          },
-      .summary = summary,
-      .sentences = sentences,
-      .figures =
-          [](const Results& results) { return std::vector{intensity_measures_figure(results)}; },
-      .tables =
-          [](const Results& results) { return std::vector{intensity_measures_table(results)}; },
-      .section = section};
+  return {.is_in =
+              [](const Results& results) {
+                return results.intensity_measures && !results.intensity_measures->empty();
+              },
+          .summary = summary,
+          .sentences = sentences,
+          .figures = each<intensity_measures_figure>,
+          .tables = each<intensity_measures_table>,
+          .section = section};
 }
 }  // namespace glissade

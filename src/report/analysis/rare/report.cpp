@@ -214,11 +214,8 @@ AnalysisReport RareAnalysis::in_report() {
   return {.is_in = [](const Results& results) { return results.rare.has_value(); },
           .summary = summary,
           .sentences = sentences,
-          .figures = [](const Results& results) { return std::vector{rare_figure(results)}; },
-          .tables =
-              [](const Results& results) {
-                return std::vector{rare_table(results), weights_table(results)};
-              },
+          .figures = each<rare_figure>,
+          .tables = each<rare_table, weights_table>,
           .section = section};
 }
 
@@ -230,10 +227,7 @@ AnalysisReport SamplingErrorAnalysis::in_report() {
                        paragraphs(error_sentences(results));
               },
           .sentences = error_sentences,
-          .tables =
-              [](const Results& results) {
-                return std::vector{sampling_error_table(results), reached_target_table(results)};
-              },
+          .tables = each<sampling_error_table, reached_target_table>,
           .section =
               [](const Results& results) {
                 return heading("Error of the samples, error of the records") +

@@ -82,14 +82,6 @@ std::vector<std::string> sentences(const Results& results) {
 
 std::string summary(const Results& results) { return paragraphs(sentences(results)); }
 
-std::vector<Table> tables(const Results& results) {
-  return {spread_table(results), exceedance_spread_table(results), design_friction_table(results)};
-}
-
-std::vector<Figure> figures(const Results& results) {
-  return {spread_figure(results), spread_over_intensity_figure(results)};
-}
-
 Html section(const Results& results) {
   Html html =
       heading("Where the spread comes from") + wide_table(spread_table(results)) +
@@ -109,8 +101,8 @@ AnalysisReport SensitivityAnalysis::in_report() {
   return {.is_in = [](const Results& results) { return results.sensitivity.has_value(); },
           .summary = summary,
           .sentences = sentences,
-          .figures = figures,
-          .tables = tables,
+          .figures = each<spread_figure, spread_over_intensity_figure>,
+          .tables = each<spread_table, exceedance_spread_table, design_friction_table>,
           .section = section};
 }
 

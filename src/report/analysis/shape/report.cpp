@@ -83,13 +83,9 @@ AnalysisReport ShapeAnalysis::in_report() {
       .is_in = [](const Results& results) { return results.shape && !results.shape->runs.empty(); },
       .summary = summary,
       .sentences = sentences,
-      .figures = [](const Results& results) { return std::vector{shape_figure(results)}; },
-      .tables =
-          [](const Results& results) {
-            return std::vector{shape_table(results), shape_models_table(results),
-                               shape_levels_table(results), shape_crossings_table(results),
-                               shape_surface_table(results)};
-          },
+      .figures = each<shape_figure>,
+      .tables = each<shape_table, shape_models_table, shape_levels_table, shape_crossings_table,
+                     shape_surface_table>,
       .section = section};
 }
 

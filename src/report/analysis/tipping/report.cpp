@@ -97,10 +97,6 @@ Table tipping_records_table(const Results& results) {
   return t;
 }
 
-std::vector<Table> tables(const Results& results) {
-  return {tipping_table(results), tipping_records_table(results)};
-}
-
 Html section(const Results& results) {
   return heading("Onset of tipping") + table_or_file(tipping_table(results));
 }
@@ -111,7 +107,7 @@ AnalysisReport TippingAnalysis::in_report() {
   return {.is_in = [](const Results& results) { return results.tipping.has_value(); },
           .summary = summary,
           .sentences = sentences,
-          .tables = tables,
+          .tables = each<tipping_table, tipping_records_table>,
           .section = section};
 }
 

@@ -175,11 +175,6 @@ std::string summary(const Results& results) {
          to_text(verdict_summary_table(results).without("mce_probability"));
 }
 
-std::vector<Table> tables(const Results& results) {
-  return {verdict_summary_table(results), verdict_table(results),
-          verdict_separations_summary_table(results), verdict_separations_table(results)};
-}
-
 std::vector<Figure> figures(const Results& results) {
   std::vector<Figure> all = {verdict_figure(results)};
   if (governing_of(results.verdict->separations, 0.5) != nullptr)
@@ -207,7 +202,8 @@ AnalysisReport VerdictAnalysis::in_report() {
       .summary = summary,
       .sentences = sentences,
       .figures = figures,
-      .tables = tables,
+      .tables = each<verdict_summary_table, verdict_table, verdict_separations_summary_table,
+                     verdict_separations_table>,
       .section = section};
 }
 
