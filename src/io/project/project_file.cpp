@@ -72,7 +72,8 @@ void require_keys(const TomlTable& root, bool of_roof) {
     const TomlTable table = root.table(name);
     if (table.has(one) && !table.has(other)) require(name, other);
   };
-  together("building", "system", "height_m"), together("building", "height_m", "system");
+  if (!root.table("building").has("period_s"))  // else both are refused
+    together("building", "system", "height_m"), together("building", "height_m", "system");
   together("building", "weight_kn", "array_weight_kn");
   together("building", "array_weight_kn", "weight_kn");
   if (!root.table("friction").has("file")) together("friction", "mu", "source");
@@ -195,8 +196,12 @@ void read_model(const TomlTable& table, ProjectBuilding& building) {
     table.report("alpha", "building.alpha needs building.storeys of 2 or more",
                  "give the storeys, or leave alpha out: one storey is one mass");
   if (!has_storeys) return;
-  building.mass_basis = fmt::format(
-      "{}; neglected with several modes, which gives larger displacements", building.mass_basis);
+  std::string stated;
+  for (const double ratio : building.mass_ratio)
+    stated += fmt::format("{}{:.3g}", stated.empty() ? "" : ", ", ratio);
+  building.mass_basis =
+      fmt::format("{}: {}; neglected with several modes, which gives larger displacements",
+                  building.mass_basis, stated);
   building.mass_ratio = {0.0};
   if (table.has("alpha")) {
     building.alpha = read_values(
@@ -221,7 +226,8 @@ void read_model(const TomlTable& table, ProjectBuilding& building) {
 ProjectBuilding read_building(const TomlTable& table, const Project& project) {
   if (project.of_roof) return read_building_below(table);
   ProjectBuilding building;
-  table.refuse_both("period_s", "system", "give the period, or the system and the height");
+  for (const char* key : {"system", "height_m"})
+    table.refuse_both("period_s", key, "give the period, or the system and the height");
   if (table.has("system")) {
     periods_of_system(table, project, building);
   } else {

@@ -92,6 +92,16 @@ TEST_F(ProjectFile, any_number_of_gaps_have_name_kind_and_clearance) {
   EXPECT_THAT(problems_of(changed("open_edge", "wall", whole_project + gap)), SizeIs(1));
 }
 
+TEST_F(ProjectFile, a_period_and_a_height_are_refused_whether_there_is_a_system_or_not) {
+  for (const char* system : {"", "\nsystem = \"other\""}) {
+    const auto problems =
+        problems_of(changed(period, period + "\nheight_m = 9" + std::string(system)));
+    ASSERT_FALSE(problems.empty());
+    for (const Problem& problem : problems)
+      EXPECT_THAT(problem.suggestion, states("give the period, or the system and the height"));
+  }
+}
+
 TEST_F(ProjectFile, a_period_comes_from_system_and_height) {
   const std::string text =
       changed(period, "system = \"other\"\nheight_m = 10.668\nperiod_bounds = [1.0, 2.0]");
@@ -137,7 +147,7 @@ TEST_F(ProjectFile, of_two_storeys_or_more_the_building_has_several_modes) {
   const ProjectBuilding two = building("storeys = 2");
   EXPECT_THAT(two.alpha, ElementsAre(0.0, 2.0));
   EXPECT_THAT(two.mass_ratio, ElementsAre(0.0));
-  EXPECT_THAT(two.mass_basis, states("neglected"));
+  EXPECT_THAT(two.mass_basis, states("0.05", "neglected"));
   EXPECT_THAT(building("storeys = 2\nalpha = 7").alpha, ElementsAre(7.0));
   for (const char* wrong : {"alpha = 7", "storeys = 2\nalpha = -7", "storeys = 2.5"})
     EXPECT_THAT(problems_of(with("[building]", wrong)), SizeIs(1)) << wrong;
