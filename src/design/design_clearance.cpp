@@ -383,11 +383,12 @@ void add_exceedance(const Project& project, const Results& probability, DesignCl
   const bool is_rare = at_dbe.probability <= accepted_exceedance;
   design.checks.push_back(
       {"probability that the governing displacement is exceeded at the DBE",
-       is_rare || !std::isfinite(design.accepted.displacement_m)
-           ? fmt::format("{:.3g} %", 100.0 * at_dbe.probability)
-           : fmt::format("{:.3g} %; {:g} % from {} on", 100.0 * at_dbe.probability,
-                         100.0 * accepted_exceedance,
-                         both_units(design.accepted.displacement_m, project.units)),
+       fmt::format("{:.3g} % (95 % interval {:.2g} to {:.2g} %)", 100.0 * at_dbe.probability,
+                   100.0 * at_dbe.interval.low, 100.0 * at_dbe.interval.high) +
+           (is_rare || !std::isfinite(design.accepted.displacement_m)
+                ? ""
+                : fmt::format("; {:g} % from {} on", 100.0 * accepted_exceedance,
+                              both_units(design.accepted.displacement_m, project.units))),
        fmt::format("{:g} % or less (a limit of this program)", 100.0 * accepted_exceedance),
        is_rare});
   if (!is_rare) {
