@@ -75,7 +75,7 @@ std::vector<Scene> scenes_of(double pga_mps2, bool vertical, const Kind& kind) {
                   .yielding = {},
                   .mass_ratio = kind.mass_ratio},
                  block,
-                 {{factor, factor}, vertical ? factor : 0.0}});
+                 {factor, vertical ? factor : 0.0}});
             if (kind.change != nullptr) kind.change(scenes.back());
           }
   return scenes;

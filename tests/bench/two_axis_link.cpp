@@ -111,7 +111,7 @@ class LinkOnBuilding {
 
 }  // namespace
 
-double two_axis_link_peak_m(const SampledGround& ground, const BuildingFactors& factors,
+double two_axis_link_peak_m(const SampledGround& ground, const MotionFactors& factors,
                             const BiaxialBuilding& building, const TwoAxisBlock& block,
                             int substeps) {
   [[maybe_unused]] const auto rigid = [&](std::size_t n) {

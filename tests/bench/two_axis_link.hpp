@@ -26,7 +26,7 @@ struct SampledGround {
 /// @param block a circle of Coulomb friction, tan(slope) < mu
 /// @param substeps >= 1: each sample interval is cut into so many by linear interpolation
 /// @return largest length of the slider's displacement, in plan, m
-double two_axis_link_peak_m(const SampledGround& ground, const BuildingFactors& factors,
+double two_axis_link_peak_m(const SampledGround& ground, const MotionFactors& factors,
                             const BiaxialBuilding& building, const TwoAxisBlock& block,
                             int substeps);
 

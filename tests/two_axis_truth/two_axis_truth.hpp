@@ -24,7 +24,7 @@ struct TruthScene {
   double dt_s = 0.0;
   std::array<std::span<const double>, 2> ground_mps2;
   std::span<const double> vertical_mps2 = {};
-  BuildingFactors factors = {};
+  MotionFactors factors = {};
   BiaxialBuilding building = {};  ///< of one mass along each axis, or by storeys
   TwoAxisBlock block = {};
   std::array<ShearBuilding, 2> storeys = {};

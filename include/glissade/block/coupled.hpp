@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "glissade/block/crossing.hpp"
-#include "glissade/block/peak_slip.hpp"
 #include "glissade/block/slide.hpp"
 #include "glissade/building/roof_motion.hpp"
 #include "glissade/building/yielding.hpp"

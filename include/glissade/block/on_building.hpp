@@ -30,15 +30,10 @@ struct BuildingGround {
   bool operator==(const BuildingGround&) const = default;
 };
 
-struct BuildingFactors {
-  std::array<double, 2> horizontal{1.0, 1.0};  ///< a negative factor reverses the component
-  double vertical = 1.0;
-};
-
 /// @throw std::invalid_argument if a number of these is not finite; only a yield acceleration may
 /// be infinite
 void require_finite_scene(const BiaxialBuilding& building, const TwoAxisBlock& block,
-                          const BuildingFactors& factors);
+                          const MotionFactors& factors);
 
 struct BuildingSlip {
   SlipResult slip;
@@ -101,7 +96,7 @@ bool coupling_is_regular(const TwoAxisBlock& block, const BiaxialBuilding& build
 ///   (on_building_modes_test). Each step
 ///   may have its own error, so that many short phases of little slip have more than one tolerance.
 /// @throw NotConverged after 100,000 steps and fifty a sample: a law that is nearly a jump in speed
-BuildingSlip slide_on_building(const BuildingGround& ground, const BuildingFactors& factors,
+BuildingSlip slide_on_building(const BuildingGround& ground, const MotionFactors& factors,
                                const BiaxialBuilding& building, const TwoAxisBlock& block,
                                double tolerance = 1e-6);
 
@@ -109,7 +104,7 @@ BuildingSlip slide_on_building(const BuildingGround& ground, const BuildingFacto
 /// scheme.
 /// @param thresholds_m > 0, increasing
 /// @param crossings as many
-BuildingSlip slide_on_building(const BuildingGround& ground, const BuildingFactors& factors,
+BuildingSlip slide_on_building(const BuildingGround& ground, const MotionFactors& factors,
                                const BiaxialBuilding& building, const TwoAxisBlock& block,
                                std::span<const double> thresholds_m, std::span<Crossing> crossings,
                                double tolerance = 1e-6);
@@ -124,7 +119,7 @@ BuildingSlip slide_on_building(const BuildingGround& ground, const BuildingFacto
 /// of both blocks' steps, to 1e-12 of them. So the error is that of two displacements
 /// (largest of the 60 scenes of closing_test 3.2e-7 of the peak, at the default tolerance); of
 /// equal blocks on one slope the gap closes by exactly 0.
-PlanVector closing_on_building(const BuildingGround& ground, const BuildingFactors& factors,
+PlanVector closing_on_building(const BuildingGround& ground, const MotionFactors& factors,
                                const BiaxialBuilding& building, const TwoAxisBlock& block,
                                const TwoAxisBlock& neighbour, double tolerance = 1e-6);
 

@@ -9,11 +9,6 @@
 
 namespace glissade {
 
-/// Factors on the components of the roof motion.
-struct MotionFactors {
-  double horizontal = 1.0, vertical = 1.0;
-};
-
 /// Search for events in the kernel; both give the same bits.
 enum class EventSearch {
   bounds,         ///< by the bounds of the table: only intervals where an event is possible

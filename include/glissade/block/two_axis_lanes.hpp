@@ -12,7 +12,7 @@ namespace glissade {
 struct TwoAxisScene {
   BiaxialBuilding building;
   TwoAxisBlock block;
-  BuildingFactors factors;
+  MotionFactors factors;
   bool base_shear = false;  ///< wanted; the other results have the same bits without it
 };
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <span>
 #include <vector>
@@ -22,6 +23,17 @@ struct GroundMotion {
   double dt_s = 0.0;
   std::span<const double> horizontal_mps2;
   std::span<const double> vertical_mps2 = {};  ///< empty: none; else as long as the horizontal
+};
+
+/// Factors on the components of a motion, of the ground or of a roof.
+struct MotionFactors {
+  std::array<double, 2> horizontal{1.0, 1.0};  ///< one axis: the first; < 0: reversed
+  double vertical = 1.0;
+
+  MotionFactors() = default;
+  MotionFactors(const std::array<double, 2>& by_axis, double up)
+      : horizontal(by_axis), vertical(up) {}
+  MotionFactors(double both_axes, double up) : MotionFactors({both_axes, both_axes}, up) {}
 };
 
 /// Absolute acceleration of the roof at equally spaced samples.

@@ -62,7 +62,7 @@ void require_finite_scene(const CoupledBuilding& building, const Block& block,
                  "period, damping, mass ratio, hardening");
   require_no_nan(building.yielding.yield_acceleration_mps2, "yield acceleration");
   block_detail::require_block(block);
-  require_acceleration({factors.horizontal, factors.vertical}, "the factors");
+  require_acceleration({factors.horizontal[0], factors.vertical}, "the factors");
 }
 
 CoupledResult walk(const GroundMotion& motion, const MotionFactors& factors,

@@ -27,7 +27,7 @@ class SampledMotion {
   }
   SampledMotion(const GroundMotion& ground, const MotionFactors& factors, const Block& block)
       : SampledMotion(RoofAcceleration{ground.dt_s, ground.horizontal_mps2, ground.vertical_mps2,
-                                       factors.horizontal, factors.vertical},
+                                       factors.horizontal[0], factors.vertical},
                       block) {}
 
   double dt_s() const { return samples_.dt_s; }

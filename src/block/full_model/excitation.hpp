@@ -61,7 +61,7 @@ struct ExcitationPiece {
 /// Excitation of the building, interval by interval. Refers to what it is made from.
 class Excitation {
  public:
-  Excitation(const BuildingGround& ground, const BuildingFactors& factors)
+  Excitation(const BuildingGround& ground, const MotionFactors& factors)
       : dt_s_(ground.horizontal[0]->step_s()),
         factors_{factors.horizontal[0], factors.horizontal[1], factors.vertical} {
     for (std::size_t n = 0; n < 2; ++n)

@@ -34,7 +34,7 @@ int pieces(const Modes& modes, double dt_s) {
   return static_cast<int>(pieces);
 }
 
-void check([[maybe_unused]] const BuildingGround& ground, const BuildingFactors& factors,
+void check([[maybe_unused]] const BuildingGround& ground, const MotionFactors& factors,
            const BiaxialBuilding& building, const TwoAxisBlock& block) {
   require_finite_scene(building, block, factors);
   GLISSADE_EXPECTS(ground.horizontal[0] != nullptr);
@@ -71,7 +71,7 @@ TwoAxisTrack track_of(const TwoAxisBlock& block, std::span<const double> thresho
 
 /// @param track of the block
 BuildingSlip slide_along(const TwoAxisTrack& track, const BuildingGround& ground,
-                         const BuildingFactors& factors, const BiaxialBuilding& building,
+                         const MotionFactors& factors, const BiaxialBuilding& building,
                          const TwoAxisBlock& block, double tolerance) {
   check(ground, factors, building, block);
   require_tolerance(tolerance, 1e-11);
@@ -148,7 +148,7 @@ void rotate(std::span<PathPiece> path, double angle_rad) {
 }  // namespace
 
 void require_finite_scene(const BiaxialBuilding& building, const TwoAxisBlock& block,
-                          const BuildingFactors& factors) {
+                          const MotionFactors& factors) {
   require_acceleration({factors.horizontal[0], factors.horizontal[1], factors.vertical},
                        "the factors");
   require_finite({building.mass_ratio}, "mass ratio");
@@ -171,13 +171,13 @@ bool coupling_is_regular(const TwoAxisBlock& block, const BiaxialBuilding& build
   return building.mass_ratio >= 0.0 && contact.is_regular(accelerance(contact, building));
 }
 
-BuildingSlip slide_on_building(const BuildingGround& ground, const BuildingFactors& factors,
+BuildingSlip slide_on_building(const BuildingGround& ground, const MotionFactors& factors,
                                const BiaxialBuilding& building, const TwoAxisBlock& block,
                                double tolerance) {
   return slide_on_building(ground, factors, building, block, {}, {}, tolerance);
 }
 
-BuildingSlip slide_on_building(const BuildingGround& ground, const BuildingFactors& factors,
+BuildingSlip slide_on_building(const BuildingGround& ground, const MotionFactors& factors,
                                const BiaxialBuilding& building, const TwoAxisBlock& block,
                                std::span<const double> thresholds_m, std::span<Crossing> crossings,
                                double tolerance) {
@@ -185,7 +185,7 @@ BuildingSlip slide_on_building(const BuildingGround& ground, const BuildingFacto
                      tolerance);
 }
 
-PlanVector closing_on_building(const BuildingGround& ground, const BuildingFactors& factors,
+PlanVector closing_on_building(const BuildingGround& ground, const MotionFactors& factors,
                                const BiaxialBuilding& building, const TwoAxisBlock& block,
                                const TwoAxisBlock& neighbour, double tolerance) {
   require_finite_scene(building, block, factors);

@@ -17,12 +17,12 @@ struct Scaled {
   double a_sign = 1.0, w_ratio = 1.0;
 
   Scaled(const Block& given, const MotionFactors& factors) : block(given) {
-    factor = factors.horizontal != 0.0 ? std::abs(factors.horizontal)
-             : factors.vertical != 0.0 ? std::abs(factors.vertical)
-                                       : 1.0;
+    factor = factors.horizontal[0] != 0.0 ? std::abs(factors.horizontal[0])
+             : factors.vertical != 0.0    ? std::abs(factors.vertical)
+                                          : 1.0;
     block.gravity_mps2 = given.gravity_mps2 / factor;
     block.slope_rad = std::abs(given.slope_rad);
-    a_sign = mirror(given) * (factors.horizontal / factor);
+    a_sign = mirror(given) * (factors.horizontal[0] / factor);
     w_ratio = factors.vertical / factor;
   }
 

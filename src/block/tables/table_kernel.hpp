@@ -278,7 +278,7 @@ template <class History>
 SlipPeak walk_events(const RoofTable& roof, const Block& block, const MotionFactors& factors,
                      EventSearch search, const History& history) {
   require_block(block);
-  require_acceleration({factors.horizontal, factors.vertical}, "the factors");
+  require_acceleration({factors.horizontal[0], factors.vertical}, "the factors");
   const Scaled scene(block, factors);
   const bool linear = roof.horizontal->rigid() && (!roof.vertical || roof.vertical->rigid());
   return in_metres(linear ? TableKernel<LinearPiece, History>(roof, scene, search, history).run()

@@ -24,7 +24,7 @@ double onset_factor(const Block& block, const MotionFactors& factors, PeakOf pea
   const Contact contact(block);
   const auto onset = [&](const DriveLine& drive) {
     if (drive.constant > 0.0) return 0.0;
-    const double demand = peak_of({drive.a * block_detail::mirror(block) * factors.horizontal,
+    const double demand = peak_of({drive.a * block_detail::mirror(block) * factors.horizontal[0],
                                    drive.w * factors.vertical, 0.0});
     return demand > 0.0 ? std::abs(drive.constant) / demand : infinity;
   };

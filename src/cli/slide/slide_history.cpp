@@ -200,7 +200,7 @@ SlideHistory in_full_model(const SlideOptions& o, const Motion& motion, double f
   const std::span<Crossing> crossings =
       o.clearance_m ? std::span<Crossing>(&h.crossing.emplace(), 1) : std::span<Crossing>();
   const BuildingSlip r =
-      slide_on_building(ground, {{factor, factor}, factor}, building, block, thresholds, crossings);
+      slide_on_building(ground, {factor, factor}, building, block, thresholds, crossings);
   h.slip = r.slip;
   if (!o.history.empty() && std::isfinite(h.slip.residual.along_m))
     write_plane_history(o.history, motion, factor, block);

@@ -183,7 +183,7 @@ class CoupledHistories : public Histories {
   }
 
  private:
-  BuildingFactors factors(double level) const {
+  MotionFactors factors(double level) const {
     return {{scene_.axis_factor(0, level), scene_.axis_factor(1, level)}, scene_.factor(level)};
   }
 

@@ -31,7 +31,7 @@ RoofMotionOptions follow_roof(const LeastAccelerations& least, double largest_fa
 RoofAcceleration excitation_of(const Block& block, const RoofMotion& roof,
                                const MotionFactors& factors) {
   RoofAcceleration excitation{roof.dt_s, roof.horizontal_mps2, roof.vertical_mps2,
-                              factors.horizontal, factors.vertical};
+                              factors.horizontal[0], factors.vertical};
   if (resting_deceleration_mps2(block) == 0.0) {
     excitation.horizontal_mps2 = excitation.horizontal_mps2.first(roof.record_samples);
     if (!excitation.vertical_mps2.empty())

@@ -29,8 +29,8 @@ TwoAxisBlock facing(TwoAxisBlock block) {
 
 PlanVector closing(const OnBuilding& scene, const TwoAxisBlock& block,
                    const TwoAxisBlock& neighbour) {
-  return closing_on_building(scene.ground(), {{scene.factor, scene.factor}, scene.factor},
-                             scene.building, block, neighbour, scene.tolerance);
+  return closing_on_building(scene.ground(), {scene.factor, scene.factor}, scene.building, block,
+                             neighbour, scene.tolerance);
 }
 
 PlanVector closing(const OnBuilding& scene, double factor, double other_factor) {

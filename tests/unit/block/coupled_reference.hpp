@@ -47,7 +47,7 @@ class CoupledReference {
     const std::size_t n = ground.horizontal_mps2.size();
     const auto steps = n + static_cast<std::size_t>(ring_down_s / ground.dt_s);
     const auto a = [&](std::size_t i) {
-      return i < n ? Real(ground.horizontal_mps2[i]) * factors.horizontal : Real(0);
+      return i < n ? Real(ground.horizontal_mps2[i]) * factors.horizontal[0] : Real(0);
     };
     const auto w = [&](std::size_t i) {
       return i < n && !ground.vertical_mps2.empty()

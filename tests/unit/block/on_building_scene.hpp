@@ -56,11 +56,11 @@ struct OnBuilding {
     return g;
   }
   BuildingSlip result() const {
-    return slide_on_building(ground(), {{factor, factor}, factor}, building, block, tolerance);
+    return slide_on_building(ground(), {factor, factor}, building, block, tolerance);
   }
   BuildingSlip result(std::span<const double> thresholds_m, std::span<Crossing> crossings) const {
-    return slide_on_building(ground(), {{factor, factor}, factor}, building, block, thresholds_m,
-                             crossings, tolerance);
+    return slide_on_building(ground(), {factor, factor}, building, block, thresholds_m, crossings,
+                             tolerance);
   }
 };
 

@@ -170,7 +170,7 @@ TEST(tipping_onset, is_mirrored_with_motion_and_slope_to_the_last_bit) {
     Block block = rough(scene.block.slope_rad);
     const double one = tipping_onset_factor(roof, block, slender);
     block.slope_rad *= -1.0;
-    const double other = tipping_onset_factor(roof, block, slender, {.horizontal = -1.0});
+    const double other = tipping_onset_factor(roof, block, slender, {-1.0, 1.0});
     EXPECT_EQ(one, other);
   });
 }
@@ -197,7 +197,8 @@ TEST(slip_onset, is_where_the_kernel_begins_to_slip) {
       block.directions = directions;
       const MotionFactors per_unit{-0.7, 1.2};
       const auto slip = [&](double factor) {
-        return peak_slip(roof, block, {factor * per_unit.horizontal, factor * per_unit.vertical});
+        return peak_slip(roof, block,
+                         {factor * per_unit.horizontal[0], factor * per_unit.vertical});
       };
       const double onset = slip_onset_factor(roof, block, per_unit);
       ASSERT_LT(onset, 20.0);

@@ -55,7 +55,7 @@ inline TruthScene as_truth(const OnBuilding& scene) {
   return {.dt_s = scene.dt_s,
           .ground_mps2 = {scene.first, scene.second},
           .vertical_mps2 = scene.up,
-          .factors = {{scene.factor, scene.factor}, scene.factor},
+          .factors = {scene.factor, scene.factor},
           .building = scene.building,
           .block = scene.block};
 }

@@ -89,8 +89,7 @@ TEST(peak_slip_two_axes, is_the_independent_solver_where_that_is_hard) {
     const OnBuilding scene = scene_of(hard);
     const TwoAxisTruth truth(test::as_truth(scene));
     const BuildingGround ground = scene.ground();
-    const TwoAxisScene batch{
-        scene.building, scene.block, {{scene.factor, scene.factor}, scene.factor}};
+    const TwoAxisScene batch{scene.building, scene.block, {scene.factor, scene.factor}};
     for (const double tolerance : {1e-6, 1e-8}) {
       BuildingPeak peak;
       peak_slip_two_axes(ground, {&batch, 1}, {&peak, 1}, tolerance);

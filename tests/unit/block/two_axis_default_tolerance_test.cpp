@@ -39,8 +39,7 @@ Errors errors_of(Law law) {
       const test::OnBuilding scene = test::truth_scene(random, roof, law, 100);
       const test::TwoAxisTruth truth(test::as_truth(scene), 1e-9);
       if (truth.peak_m < 1e-5L) continue;
-      const TwoAxisScene batch{
-          scene.building, scene.block, {{scene.factor, scene.factor}, scene.factor}};
+      const TwoAxisScene batch{scene.building, scene.block, {scene.factor, scene.factor}};
       BuildingPeak peak;
       peak_slip_two_axes(scene.ground(), {&batch, 1}, {&peak, 1});
       errors.scalar.push_back(test::error_of(scene.result().slip, truth));

@@ -31,7 +31,7 @@ TwoAxisScene scene_of(const Component& x, std::size_t k, double period_s, double
   s.block.friction = {mu[k / 3 % 3], mu[k / 3 % 3]};
   s.block.slope_rad = slope_deg[k / 2 % 3] * rad_per_deg;
   s.block.azimuth_rad = azimuth_deg[k / 5 % 3] * rad_per_deg;
-  s.factors = {{factor, factor}, 0.0};
+  s.factors = {factor, 0.0};
   return s;
 }
 

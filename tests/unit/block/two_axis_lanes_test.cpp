@@ -190,7 +190,7 @@ TEST(peak_slip_two_axes, lifted_off_without_a_drive_it_stays_where_it_is) {
   OnBuilding made(28, 300, 6.0);
   for (auto* horizontal : {&made.first, &made.second})
     std::fill(horizontal->begin(), horizontal->end(), 0.0);
-  TwoAxisScene scene{{}, {{0.3, 0.3}, 0.0, 0.0}, {{1.0, 1.0}, 5.0}};
+  TwoAxisScene scene{{}, {{0.3, 0.3}, 0.0, 0.0}, {1.0, 5.0}};
   const BuildingPeak peak = solve(made.ground(), {&scene, 1}).front();
   EXPECT_TRUE(peak.uplift);
   EXPECT_EQ(peak.slip_phases, 0u);
@@ -263,7 +263,7 @@ TEST(peak_slip_two_axes, follows_the_building_after_the_record) {
     for (const Kind kind : {Kind::modes, Kind::coupled_modes})
       for (const TwoAxisScene& s : made_up_scenes(kind, 16, 23)) scenes.push_back(s);
     for (TwoAxisScene& s : scenes) {
-      s.factors = {{2.0, 2.0}, 2.0};
+      s.factors = {2.0, 2.0};
       s.block.friction = {0.12, 0.12};
       s.block.slope_rad = 0.03;
     }

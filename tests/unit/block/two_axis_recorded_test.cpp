@@ -65,7 +65,7 @@ TEST(two_axes_recorded, a_history_whose_steps_become_shorter_and_shorter_is_the_
     const Oscillator axis{c.period_s, 0.05};
     const TwoAxisScene scene{{.horizontal = {axis, axis}, .yielding = {}, .mass_ratio = 0.05},
                              {{c.friction, c.friction}, 1.19 * rad_per_deg, 0.0},
-                             {{c.factor, c.factor}, c.factor}};
+                             {c.factor, c.factor}};
     BuildingPeak peak;
     peak_slip_two_axes(ground, {&scene, 1}, {&peak, 1});
     const double scalar_m = slide_on_building(ground, scene.factors, scene.building, scene.block)
@@ -90,7 +90,7 @@ TEST(two_axes_recorded, is_the_independent_solver_where_the_load_is_near_frictio
   for (const Case& c : {Case{0.2, 90.0}, {0.5, 0.0}}) {
     const double factor = c.pga_g * standard_gravity_mps2 / motion.pga_mps2();
     const TwoAxisScene scene{
-        building, {{0.1, 0.08}, 0.0, c.azimuth_deg * rad_per_deg}, {{factor, factor}, 0.0}};
+        building, {{0.1, 0.08}, 0.0, c.azimuth_deg * rad_per_deg}, {factor, 0.0}};
     const test::TwoAxisTruth truth(
         {motion.dt_s, {motion.first, motion.second}, {}, scene.factors, building, scene.block});
     for (const double tolerance : {1e-6, 1e-8}) {
@@ -114,7 +114,7 @@ TEST(two_axes_recorded, a_slow_block_that_the_load_turns_does_not_come_to_rest) 
                             .yielding = {},
                             .mass_ratio = 0.05},
                            {{0.3, 0.3}, 1.19 * rad_per_deg, 0.0},
-                           {{factor, factor}, 0.0}};
+                           {factor, 0.0}};
   const BuildingGround ground = motion.ground();
   const double truth_m = slide_on_building(ground, scene.factors, scene.building, scene.block, 1e-9)
                              .slip.peak_displacement_m;

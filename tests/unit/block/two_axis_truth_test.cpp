@@ -51,7 +51,7 @@ TEST(two_axis_truth, slides_straight_under_a_constant_acceleration_at_an_angle) 
       0.5L * v0 * lasts + v0 * dt + (a / 3.0L - 0.5L * brake) * dt * dt + 0.5L * v1 * v1 / brake;
   const std::vector<double> one(51, 1.0);
   const double angle = 0.7;
-  const BuildingFactors factors{{5.0 * std::cos(angle), 5.0 * std::sin(angle)}, 1.0};
+  const MotionFactors factors{{5.0 * std::cos(angle), 5.0 * std::sin(angle)}, 1.0};
   const TwoAxisTruth truth({0.01, {one, one}, {}, factors, {}, {{0.3, 0.3}, 0.0, 0.0}});
   expect_near(truth.peak_m, distance, 1e-11L * distance);
   expect_near(truth.along_m, -distance * std::cos(0.7L), 1e-11L * distance);

@@ -45,7 +45,7 @@ double slip_by_hand(const Plan& plan, std::size_t record, const Case& c, double 
   const test::CaseGround ground = test::ground_of(plan, record, c, level);
   const RoofMotion roof =
       roof_motion(ground.motion, {{c.period_s, c.damping}, {}}, {.quiet_horizontal_mps2 = 1e-4});
-  return slide({roof.dt_s, roof.horizontal_mps2, roof.vertical_mps2, ground.factors.horizontal,
+  return slide({roof.dt_s, roof.horizontal_mps2, roof.vertical_mps2, ground.factors.horizontal[0],
                 ground.factors.vertical},
                {.friction = c.friction, .slope_rad = c.slope_deg * rad_per_deg})
       .peak_displacement_m;

@@ -189,7 +189,7 @@ TEST(execute_yielding, r_is_the_design_spectrum_s_demand_over_the_strength) {
 /// A history of a two_axis_config(), by hand.
 struct OnTwoAxes {
   BuildingGround ground;
-  BuildingFactors factors;
+  MotionFactors factors;
   BiaxialBuilding building;
   TwoAxisBlock block;
 

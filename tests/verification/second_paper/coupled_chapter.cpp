@@ -64,8 +64,8 @@ Case rigid_building(const std::vector<CoupledScene>& scenes) {
   for (const CoupledScene& s : scenes) {
     const SlipResult r =
         slide_coupled(ground.motion(), s.factors, {{0.0, 0.05}, 0.3, {}}, s.block).slip;
-    worst = worse(worst, slip_difference(r, slide({0.01, ground.a, ground.w, s.factors.horizontal,
-                                                   s.factors.vertical},
+    worst = worse(worst, slip_difference(r, slide({0.01, ground.a, ground.w,
+                                                   s.factors.horizontal[0], s.factors.vertical},
                                                   s.block)));
   }
   return limit({fmt::format("rigid building, m/M = 0.3, {} made-up scenes", scenes.size()), "slip",

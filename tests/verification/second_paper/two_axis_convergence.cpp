@@ -14,7 +14,7 @@ namespace {
 struct Scene {
   const Motion& motion;
   BuildingGround ground;
-  BuildingFactors factors;
+  MotionFactors factors;
   BiaxialBuilding building;
   TwoAxisBlock block;
 
