@@ -65,7 +65,7 @@ double StandardScene::factor(const std::vector<Component>& components) const {
 
 std::string StandardScene::describe(const std::vector<Component>& components) const {
   return fmt::format("{}, T {} s, PGA {} g, mu {}, slope {:.4g} deg{}", components[component].id,
-                     period_s, pga_g, block.friction, block.slope_rad / rad_per_deg,
+                     period_s, pga_g, block.friction.along, block.slope_rad / rad_per_deg,
                      vertical ? ", vertical" : "");
 }
 

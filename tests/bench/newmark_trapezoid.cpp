@@ -8,7 +8,7 @@ namespace glissade::bench {
 
 double newmark_trapezoid_peak_m(const RoofAcceleration& roof, const Block& block, int substeps) {
   const double sine = std::sin(std::abs(block.slope_rad)), cosine = std::cos(block.slope_rad),
-               mu = block.friction, g = block.gravity_mps2;
+               mu = block.friction.along, g = block.gravity_mps2;
   const bool both_ways = block.directions == SlipDirections::both;
   const double mirror = block.slope_rad < 0.0 ? -1.0 : 1.0;
   const std::size_t n = roof.horizontal_mps2.size();

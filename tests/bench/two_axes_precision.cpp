@@ -66,9 +66,9 @@ std::vector<Scene> scenes_of(double pga_mps2, bool vertical, const Kind& kind) {
         for (const double slope_deg : {0.0, 1.19, 4.0, 7.0})
           for (const double azimuth_deg : {0.0, 90.0, 215.0}) {
             const double factor = pga_g * standard_gravity_mps2 / pga_mps2;
-            const TwoAxisBlock block{.friction = {friction, kind.across * friction},
-                                     .slope_rad = slope_deg * rad_per_deg,
-                                     .azimuth_rad = azimuth_deg * rad_per_deg};
+            const Block block{.friction = {friction, kind.across * friction},
+                              .slope_rad = slope_deg * rad_per_deg,
+                              .azimuth_rad = azimuth_deg * rad_per_deg};
             if (friction <= std::tan(block.slope_rad)) continue;
             scenes.push_back(
                 {{.horizontal = {kind.building(period_s), kind.building(0.8 * period_s)},

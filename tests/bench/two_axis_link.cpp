@@ -36,7 +36,7 @@ struct Motion {
 
 class LinkOnBuilding {
  public:
-  LinkOnBuilding(const BiaxialBuilding& building, const TwoAxisBlock& block)
+  LinkOnBuilding(const BiaxialBuilding& building, const Block& block)
       : rigid_(building.horizontal[0][0].period_s == 0.0),
         omega_{omega(building.horizontal[0]), omega(building.horizontal[1])},
         damping_{2.0 * building.horizontal[0][0].damping_ratio * omega_.x,
@@ -112,8 +112,7 @@ class LinkOnBuilding {
 }  // namespace
 
 double two_axis_link_peak_m(const SampledGround& ground, const MotionFactors& factors,
-                            const BiaxialBuilding& building, const TwoAxisBlock& block,
-                            int substeps) {
+                            const BiaxialBuilding& building, const Block& block, int substeps) {
   [[maybe_unused]] const auto rigid = [&](std::size_t n) {
     return building.horizontal[n][0].period_s == 0.0;
   };

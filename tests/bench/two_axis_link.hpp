@@ -27,7 +27,6 @@ struct SampledGround {
 /// @param substeps >= 1: each sample interval is cut into so many by linear interpolation
 /// @return largest length of the slider's displacement, in plan, m
 double two_axis_link_peak_m(const SampledGround& ground, const MotionFactors& factors,
-                            const BiaxialBuilding& building, const TwoAxisBlock& block,
-                            int substeps);
+                            const BiaxialBuilding& building, const Block& block, int substeps);
 
 }  // namespace glissade::bench

@@ -63,7 +63,7 @@ class RoofPackage : public testing::Test {
     TwoAxisAcceleration roof{shaking_dt_s, {first, second}, {}, factor, factor};
     if (with_vertical) roof.vertical_mps2 = up;
     return srss_of_maxima_m(
-        slide_two_axis(roof, {.friction = {mu, mu}, .slope_rad = slope_deg * rad_per_deg}, 1e-8));
+        slide_two_axis(roof, {.friction = mu, .slope_rad = slope_deg * rad_per_deg}, 1e-8));
   }
 
   ScratchFolder folder_;

@@ -183,7 +183,7 @@ TEST_F(SlideModel, alpha_is_a_building_of_several_modes_as_the_library_computes_
     const BuildingSlip expected =
         slide_on_building(building_ground(motion, {}, {}), {},
                           {.horizontal = {modes, modes}, .mass_ratio = mass_ratio},
-                          {.friction = {0.2, 0.2}, .slope_rad = 2.0 * rad_per_deg});
+                          {.friction = 0.2, .slope_rad = 2.0 * rad_per_deg});
     const Json json = slide_json({"--mu", "0.2", "--slope-deg", "2", "--period-s", "0.6", "--alpha",
                                   "5", "--mass-ratio", fmt::format("{}", mass_ratio)});
     EXPECT_GT(expected.slip.peak_displacement_m, 0.01);

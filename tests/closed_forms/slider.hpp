@@ -26,7 +26,8 @@ struct Slider {
 ///   up,   a = +alpha:  v' = alpha [c - mu s - ratio (mu c + s)] - g (mu c + s)
 /// with c, s = cos, sin(slope): two ways again, with other gains and yields.
 inline Slider slider(const Block& block, double vertical_ratio = 0.0) {
-  const double c = std::cos(block.slope_rad), s = std::sin(block.slope_rad), mu = block.friction;
+  const double c = std::cos(block.slope_rad), s = std::sin(block.slope_rad),
+               mu = block.friction.along;
   const double held_down = mu * c - s, held_up = mu * c + s;
   const double down = c + mu * s + vertical_ratio * held_down,
                up = c - mu * s - vertical_ratio * held_up;

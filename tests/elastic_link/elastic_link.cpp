@@ -72,7 +72,7 @@ class SteppedLink {
  public:
   SteppedLink(const ElasticLink& link, const Block& block, double slope)
       : omega_squared_(omega_squared(link, block)),
-        mu_(block.friction),
+        mu_(block.friction.along),
         along_(block.gravity_mps2 * std::sin(slope)),
         normal_(block.gravity_mps2 * std::cos(slope)),
         sin_(std::sin(slope)),
@@ -126,7 +126,7 @@ LinkSlip slide_on_elastic_link(const RoofAcceleration& roof, const Block& block,
   GLISSADE_EXPECTS(link.stiffness_npmm > 0.0 && link.longest_substep_s > 0.0);
   GLISSADE_EXPECTS(roof.vertical_mps2.empty() && block.directions == SlipDirections::both);
   const double slope = std::abs(block.slope_rad);
-  GLISSADE_EXPECTS(block.friction > std::tan(slope));
+  GLISSADE_EXPECTS(block.friction.along > std::tan(slope));
   const double factor = (block.slope_rad < 0.0 ? -1.0 : 1.0) * roof.horizontal_factor;
   const auto& samples = roof.horizontal_mps2;
   const auto sample = [&](std::size_t i) { return i < samples.size() ? factor * samples[i] : 0.0; };

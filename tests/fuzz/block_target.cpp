@@ -92,9 +92,9 @@ fuzz::Rounding rounding_of(const Scene& scene, const SlipResult& r) {
   const double a = largest(scene.horizontal, scene.horizontal_factor),
                w = largest(scene.vertical, scene.vertical_factor);
   const double record_s = scene.dt_s * static_cast<double>(scene.horizontal.size());
-  return {(1 + scene.block.friction) * (standard_gravity_mps2 + a + w),
+  return {(1 + scene.block.friction.along) * (standard_gravity_mps2 + a + w),
           record_s + r.slip_duration_s,
-          standard_gravity_mps2 * (scene.block.friction * std::cos(scene.block.slope_rad) -
+          standard_gravity_mps2 * (scene.block.friction.along * std::cos(scene.block.slope_rad) -
                                    std::sin(std::abs(scene.block.slope_rad)))};
 }
 

@@ -63,7 +63,7 @@ inline void check_other_solvers(const RoofAcceleration& roof, const Block& block
         std::isfinite(r.slip_duration_s) && r.slip_phases <= 4 * (roof.horizontal_mps2.size() + 1),
         "work per sample is bounded, whatever the solver");
     // At critical friction whether it stops is a matter of the last digit.
-    const double pull = std::tan(std::abs(block.slope_rad)) - block.friction;
+    const double pull = std::tan(std::abs(block.slope_rad)) - block.friction.along;
     check(std::abs(pull) < 1e-12 || r.free_sliding == expected.free_sliding,
           "solvers agree on what never stops");
   }

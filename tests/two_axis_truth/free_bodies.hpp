@@ -27,7 +27,7 @@ class FreeBodies {
   bool lifted = false;  ///< no friction
 
   explicit FreeBodies(const TruthScene& scene) : scene_(scene) {
-    const TwoAxisBlock& block = scene.block;
+    const Block& block = scene.block;
     sine_ = std::sin(static_cast<Long>(block.slope_rad));
     cosine_ = std::cos(static_cast<Long>(block.slope_rad));
     const Long azimuth = block.azimuth_rad;

@@ -26,7 +26,7 @@ struct TruthScene {
   std::span<const double> vertical_mps2 = {};
   MotionFactors factors = {};
   BiaxialBuilding building = {};  ///< of one mass along each axis, or by storeys
-  TwoAxisBlock block = {};
+  Block block = {};
   std::array<ShearBuilding, 2> storeys = {};
 };
 

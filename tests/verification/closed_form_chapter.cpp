@@ -33,7 +33,8 @@ Case farthest_off(const Subject& subject, double expected, double tolerance, con
 }
 
 std::string described(const Block& block) {
-  return fmt::format("slope {:.0f} deg, mu {}", block.slope_rad / rad_per_deg, block.friction);
+  return fmt::format("slope {:.0f} deg, mu {}", block.slope_rad / rad_per_deg,
+                     block.friction.along);
 }
 
 const Block flat{.friction = 0.2}, sloping{.friction = 0.3, .slope_rad = 4 * rad_per_deg};

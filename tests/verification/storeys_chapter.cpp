@@ -94,7 +94,7 @@ std::vector<Case> stuck_in_free_vibration(double mass_ratio) {
   scene.second.clear();
   scene.first.resize(12000, 0.0);
   scene.first.back() = 1e-9;
-  scene.block.friction = {5.0, 5.0};
+  scene.block.friction = 5.0;
   const ShearBuilding building = three_storeys(1.0, 0.0);
   scene.building = {{modes_of(building), Modes()}, {}, mass_ratio};
   const BuildingSlip carries = scene.result();
@@ -162,7 +162,7 @@ Case on_roof_motions() {
   double worst = 0.0;
   for (const double mu : {0.1, 0.3}) {
     StoreyScene s(3, 0.0, false);
-    s.scene.block.friction = {mu, mu};
+    s.scene.block.friction = mu;
     s.scene.up.clear();
     const double of_modes_m = s.scene.result().slip.peak_displacement_m;
     const ShearBuilding& building = s.storeys[0];

@@ -32,7 +32,7 @@ struct BuildingGround {
 
 /// @throw std::invalid_argument if a number of these is not finite; only a yield acceleration may
 /// be infinite
-void require_finite_scene(const BiaxialBuilding& building, const TwoAxisBlock& block,
+void require_finite_scene(const BiaxialBuilding& building, const Block& block,
                           const MotionFactors& factors);
 
 struct BuildingSlip {
@@ -48,7 +48,7 @@ struct BuildingSlip {
 /// slope, with R = (m/M) times the identity if both axes of the building can move,
 ///   1 + sin(slope) (sin(slope) R_ss - cos(slope) |(mu_s R_ss, mu_y R_sy / cos(slope))|) > 0,
 /// mu that of the fastest sliding. On one axis it is the condition of coupled.hpp.
-bool coupling_is_regular(const TwoAxisBlock& block, const BiaxialBuilding& building);
+bool coupling_is_regular(const Block& block, const BiaxialBuilding& building);
 
 /// The full model, from rest: slide_two_axis() on a building that may be coupled with the array and
 /// may yield, with or without a vertical oscillator, and with any FrictionLaw of the block. With r
@@ -97,7 +97,7 @@ bool coupling_is_regular(const TwoAxisBlock& block, const BiaxialBuilding& build
 ///   may have its own error, so that many short phases of little slip have more than one tolerance.
 /// @throw NotConverged after 100,000 steps and fifty a sample: a law that is nearly a jump in speed
 BuildingSlip slide_on_building(const BuildingGround& ground, const MotionFactors& factors,
-                               const BiaxialBuilding& building, const TwoAxisBlock& block,
+                               const BiaxialBuilding& building, const Block& block,
                                double tolerance = 1e-6);
 
 /// The same, with the first crossing of each length of the displacement vector: to the order of the
@@ -105,7 +105,7 @@ BuildingSlip slide_on_building(const BuildingGround& ground, const MotionFactors
 /// @param thresholds_m > 0, increasing
 /// @param crossings as many
 BuildingSlip slide_on_building(const BuildingGround& ground, const MotionFactors& factors,
-                               const BiaxialBuilding& building, const TwoAxisBlock& block,
+                               const BiaxialBuilding& building, const Block& block,
                                std::span<const double> thresholds_m, std::span<Crossing> crossings,
                                double tolerance = 1e-6);
 
@@ -120,7 +120,7 @@ BuildingSlip slide_on_building(const BuildingGround& ground, const MotionFactors
 /// (largest of the 60 scenes of closing_test 3.2e-7 of the peak, at the default tolerance); of
 /// equal blocks on one slope the gap closes by exactly 0.
 PlanVector closing_on_building(const BuildingGround& ground, const MotionFactors& factors,
-                               const BiaxialBuilding& building, const TwoAxisBlock& block,
-                               const TwoAxisBlock& neighbour, double tolerance = 1e-6);
+                               const BiaxialBuilding& building, const Block& block,
+                               const Block& neighbour, double tolerance = 1e-6);
 
 }  // namespace glissade

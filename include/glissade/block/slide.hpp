@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <numbers>
 #include <span>
 #include <vector>
 
@@ -14,14 +15,34 @@ namespace glissade {
 /// Whether the block may slip upslope. `downslope_only` is the classical Newmark convention.
 enum class SlipDirections { both, downslope_only };
 
-/// A rigid block on a sloping roof with Coulomb friction.
+/// A coefficient of friction for each axis of the slope. Friction is on an ellipse with these
+/// half-axes (theory.md, 3.2); on a circle if they are equal.
+struct EllipticFriction {
+  double along = 0.0;   ///< in the direction in which the surface falls; >= 0
+  double across = 0.0;  ///< >= 0, and zero only if the other is
+
+  EllipticFriction() = default;
+  // NOLINTNEXTLINE(google-explicit-constructor): one coefficient is a circle.
+  EllipticFriction(double circle) : along(circle), across(circle) {}
+  EllipticFriction(double of_along, double of_across) : along(of_along), across(of_across) {}
+};
+
+/// A rigid block, which does not turn, on a sloping roof.
 struct Block {
-  double friction = 0.0;   ///< mu, >= 0
-  double slope_rad = 0.0;  ///< in (-pi/2, pi/2); positive: the surface falls toward +x
-  SlipDirections directions = SlipDirections::both;
-  double gravity_mps2 = standard_gravity_mps2;  ///< > 0
-  FrictionLaw law;  ///< Coulomb's law, except in slide_coupled(), which accepts a
-                    ///< static_over_sliding
+  EllipticFriction friction;  ///< one axis: that along the slope
+  double slope_rad = 0.0;     ///< in (-pi/2, pi/2); positive: the surface falls toward +x, that is
+                              ///< toward the azimuth; negative: the opposite way
+  double azimuth_rad = 0.0;   ///< two axes: from the first axis of the roof toward the second. On a
+                              ///< flat roof it rotates the axes of friction
+  SlipDirections directions = SlipDirections::both;  ///< two axes: both
+  double gravity_mps2 = standard_gravity_mps2;       ///< > 0
+  FrictionLaw law = {};  ///< Coulomb's law, except in slide_coupled(), which accepts a
+                         ///< static_over_sliding, and on a building of two axes
+
+  /// Of the direction in which the surface falls.
+  double fall_azimuth_rad() const {
+    return slope_rad < 0.0 ? azimuth_rad + std::numbers::pi : azimuth_rad;
+  }
 };
 
 /// Absolute acceleration of the roof, piecewise linear between equally spaced samples. One table of

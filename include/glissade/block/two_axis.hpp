@@ -5,29 +5,9 @@
 #include <span>
 #include <vector>
 
-#include "glissade/block/friction_law.hpp"
-#include "glissade/block/slip_result.hpp"
-#include "glissade/core/units.hpp"
+#include "glissade/block/slide.hpp"
 
 namespace glissade {
-
-/// A coefficient of friction for each axis of the slope. Friction is on an ellipse with these
-/// half-axes (theory.md, 3.2); on a circle if they are equal.
-struct EllipticFriction {
-  double along = 0.0;   ///< in the direction in which the surface falls; >= 0
-  double across = 0.0;  ///< >= 0, and zero only if the other is
-};
-
-/// A rigid block, which does not turn, on a sloping roof with Coulomb friction.
-struct TwoAxisBlock {
-  EllipticFriction friction;
-  double slope_rad = 0.0;    ///< in [0, pi/2)
-  double azimuth_rad = 0.0;  ///< from the first axis of the roof to the direction in which the
-                             ///< surface falls, toward the second axis. On a flat roof it rotates
-                             ///< the axes of friction.
-  double gravity_mps2 = standard_gravity_mps2;  ///< > 0
-  FrictionLaw law = {};                         ///< slide_two_axis(): Coulomb's only
-};
 
 /// Absolute acceleration of the roof along two horizontal axes at right angles, and up; piecewise
 /// linear between equally spaced samples.
@@ -68,9 +48,10 @@ struct TwoAxisAcceleration {
 /// and uplift are as in slide(). It is slide_on_building() (on_building.hpp) on a rigid building
 /// with a mass ratio of 0, with the same bits.
 ///
+/// @param block Coulomb friction
 /// @param tolerance permitted error of the velocity for each step, relative to the largest speed so
 ///   far; in [1e-11, 1e-2]. The error of displacements is measured in on_building.hpp.
-SlipResult slide_two_axis(const TwoAxisAcceleration& roof, const TwoAxisBlock& block,
+SlipResult slide_two_axis(const TwoAxisAcceleration& roof, const Block& block,
                           double tolerance = 1e-6);
 
 /// A point of a history: at each start, step and stop.
@@ -80,7 +61,7 @@ struct TwoAxisPoint {
 };
 
 /// The same, with the history.
-SlipResult slide_two_axis(const TwoAxisAcceleration& roof, const TwoAxisBlock& block,
+SlipResult slide_two_axis(const TwoAxisAcceleration& roof, const Block& block,
                           std::vector<TwoAxisPoint>& history, double tolerance = 1e-6);
 
 }  // namespace glissade

@@ -11,7 +11,7 @@ namespace glissade {
 /// One history of a batch.
 struct TwoAxisScene {
   BiaxialBuilding building;
-  TwoAxisBlock block;
+  Block block;
   MotionFactors factors;
   bool base_shear = false;  ///< wanted; the other results have the same bits without it
 };

@@ -18,7 +18,7 @@ EllipticFriction times(const EllipticFriction& mu, double factor) {
 
 }  // namespace
 
-BuildingContact::BuildingContact(const TwoAxisBlock& block)
+BuildingContact::BuildingContact(const Block& block)
     : loading_(block),
       friction_(block.friction),
       at_rest_(times(block.friction, block.law.static_over_sliding)),
@@ -26,7 +26,8 @@ BuildingContact::BuildingContact(const TwoAxisBlock& block)
   require_finite_scene({}, block, {});
   [[maybe_unused]] const EllipticFriction& mu = block.friction;
   GLISSADE_EXPECTS(mu.along >= 0.0 && mu.across >= 0.0 && (mu.along > 0.0) == (mu.across > 0.0));
-  GLISSADE_EXPECTS(block.slope_rad >= 0.0 && block.slope_rad < std::numbers::pi / 2);
+  GLISSADE_EXPECTS(std::abs(block.slope_rad) < std::numbers::pi / 2);
+  GLISSADE_EXPECTS(block.directions == SlipDirections::both);
   GLISSADE_EXPECTS(law_.is_valid());
 }
 

@@ -38,7 +38,7 @@ struct ContactState {
 /// They have one solution if the divisor is positive for every f.
 class BuildingContact {
  public:
-  explicit BuildingContact(const TwoAxisBlock& block);
+  explicit BuildingContact(const Block& block);
 
   const TwoAxisLoading& loading() const { return loading_; }
   const FrictionEllipse& friction() const { return friction_; }

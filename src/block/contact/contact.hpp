@@ -46,9 +46,9 @@ inline double mirror(const Block& block) { return block.slope_rad < 0.0 ? -1.0 :
 /// @throw std::invalid_argument if a number is not finite
 inline void require_block(const Block& block) {
   require_finite(
-      {block.friction, block.slope_rad, block.gravity_mps2, block.law.static_over_sliding},
+      {block.friction.along, block.slope_rad, block.gravity_mps2, block.law.static_over_sliding},
       "friction, slope, gravity");
-  GLISSADE_EXPECTS(block.friction >= 0.0 && std::abs(block.slope_rad) < std::numbers::pi / 2);
+  GLISSADE_EXPECTS(block.friction.along >= 0.0 && std::abs(block.slope_rad) < std::numbers::pi / 2);
 }
 
 /// The equations of motion of a block on its |slope|.
@@ -59,10 +59,10 @@ class Contact {
         tan_(std::tan(std::abs(block.slope_rad))),
         sin_(std::sin(std::abs(block.slope_rad))),
         cos_(std::cos(block.slope_rad)),
-        gravity_down_(cos_ * beyond_friction(tan_, block.friction)),
-        gravity_up_(-cos_ * (tan_ + block.friction)),
-        inertia_down_(cos_ + block.friction * sin_),
-        inertia_up_(cos_ - block.friction * sin_) {}
+        gravity_down_(cos_ * beyond_friction(tan_, block.friction.along)),
+        gravity_up_(-cos_ * (tan_ + block.friction.along)),
+        inertia_down_(cos_ + block.friction.along * sin_),
+        inertia_up_(cos_ - block.friction.along * sin_) {}
 
   /// sin - mu cos and cos + mu sin are the friction-corrected parts of gravity and of the roof's
   /// inertia.

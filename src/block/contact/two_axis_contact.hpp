@@ -21,12 +21,12 @@ struct Load {
 /// From the roof acceleration to the load of the block.
 class TwoAxisLoading {
  public:
-  explicit TwoAxisLoading(const TwoAxisBlock& block)
+  explicit TwoAxisLoading(const Block& block)
       : g_(block.gravity_mps2),
-        tan_(std::tan(block.slope_rad)),
+        tan_(std::tan(std::abs(block.slope_rad))),
         cos_(std::cos(block.slope_rad)),
-        cos_azimuth_(std::cos(block.azimuth_rad)),
-        sin_azimuth_(std::sin(block.azimuth_rad)) {}
+        cos_azimuth_(std::cos(block.fall_azimuth_rad())),
+        sin_azimuth_(std::sin(block.fall_azimuth_rad())) {}
 
   Load at(double a1, double a2, double w) const {
     const double along = cos_azimuth_ * a1 + sin_azimuth_ * a2;

@@ -18,7 +18,7 @@ CoupledBody::CoupledBody(const CoupledContact& contact, const BuildingOscillator
     : contact_(contact),
       building_(building),
       block_(block),
-      has_static_friction_(block.law.static_over_sliding > 1.0 && block.friction > 0.0),
+      has_static_friction_(block.law.static_over_sliding > 1.0 && block.friction.along > 0.0),
       energy_(building, contact),
       spring_(yielding) {}
 
@@ -40,7 +40,7 @@ SlipSeries CoupledBody::slip_series(const ContactRegime& regime, const RoofMotio
     drive.c[1] = std::max(drive.c[1], 0.0);
   }
   slip.speed = drive.integral(length_s, speed_);
-  slip.friction = lifted_ ? 0.0 : block_.friction;
+  slip.friction = lifted_ ? 0.0 : block_.friction.along;
   return slip;
 }
 

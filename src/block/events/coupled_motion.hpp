@@ -46,7 +46,7 @@ class CoupledContact : public Contact {
 
  private:
   static Block with_static_friction(Block block) {
-    block.friction *= block.law.static_over_sliding;
+    block.friction.along *= block.law.static_over_sliding;
     return block;
   }
   /// @param q sin - sigma mu cos: the contact force pushes the roof by -m q N'/cos per N'

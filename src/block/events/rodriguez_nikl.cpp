@@ -18,7 +18,7 @@ class SteppedBlock {
  public:
   SteppedBlock(const Block& block, double slope)
       : g_(block.gravity_mps2),
-        mu_(block.friction),
+        mu_(block.friction.along),
         sin_(std::sin(slope)),
         cos_(std::cos(slope)),
         tan_(std::tan(slope)),
@@ -112,7 +112,8 @@ SlipResult slide_rodriguez_nikl(const RoofAcceleration& roof, const Block& block
   GLISSADE_EXPECTS(substeps >= 1);
   const block_detail::SampledMotion motion(roof, block);
   const double slope = std::abs(block.slope_rad);
-  const bool slides_at_rest = block_detail::beyond_friction(std::tan(slope), block.friction) > 0.0;
+  const bool slides_at_rest =
+      block_detail::beyond_friction(std::tan(slope), block.friction.along) > 0.0;
   // The end of the record, as in slide(): free sliding ends at the last sample, all others after
   // one more interval to zero.
   const std::size_t intervals =

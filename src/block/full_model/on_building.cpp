@@ -35,7 +35,7 @@ int pieces(const Modes& modes, double dt_s) {
 }
 
 void check([[maybe_unused]] const BuildingGround& ground, const MotionFactors& factors,
-           const BiaxialBuilding& building, const TwoAxisBlock& block) {
+           const BiaxialBuilding& building, const Block& block) {
   require_finite_scene(building, block, factors);
   GLISSADE_EXPECTS(ground.horizontal[0] != nullptr);
   [[maybe_unused]] const double step_s = ground.horizontal[0]->step_s();
@@ -64,7 +64,7 @@ block_detail::Accelerance accelerance(const BuildingContact& contact,
   return contact.accelerance(by_axis);
 }
 
-TwoAxisTrack track_of(const TwoAxisBlock& block, std::span<const double> thresholds_m = {},
+TwoAxisTrack track_of(const Block& block, std::span<const double> thresholds_m = {},
                       std::span<Crossing> crossings = {}) {
   return {BuildingContact(block).loading().to_plan(), thresholds_m, crossings};
 }
@@ -72,7 +72,7 @@ TwoAxisTrack track_of(const TwoAxisBlock& block, std::span<const double> thresho
 /// @param track of the block
 BuildingSlip slide_along(const TwoAxisTrack& track, const BuildingGround& ground,
                          const MotionFactors& factors, const BiaxialBuilding& building,
-                         const TwoAxisBlock& block, double tolerance) {
+                         const Block& block, double tolerance) {
   check(ground, factors, building, block);
   require_tolerance(tolerance, 1e-11);
 
@@ -113,7 +113,7 @@ BuildingSlip slide_along(const TwoAxisTrack& track, const BuildingGround& ground
   return component.empty() || component.size() == samples;
 }
 
-void check(const TwoAxisAcceleration& roof, [[maybe_unused]] const TwoAxisBlock& block) {
+void check(const TwoAxisAcceleration& roof, [[maybe_unused]] const Block& block) {
   for (const auto& horizontal : roof.horizontal_mps2)
     require_acceleration(horizontal, "the horizontal roof acceleration");
   require_acceleration(roof.vertical_mps2, "the vertical roof acceleration");
@@ -124,7 +124,7 @@ void check(const TwoAxisAcceleration& roof, [[maybe_unused]] const TwoAxisBlock&
   GLISSADE_EXPECTS(block.law.is_coulomb());
 }
 
-SlipResult slide_with(const TwoAxisAcceleration& roof, const TwoAxisBlock& block, double tolerance,
+SlipResult slide_with(const TwoAxisAcceleration& roof, const Block& block, double tolerance,
                       std::vector<PathPiece>* path) {
   check(roof, block);
   require_tolerance(tolerance, 1e-11);
@@ -147,7 +147,7 @@ void rotate(std::span<PathPiece> path, double angle_rad) {
 
 }  // namespace
 
-void require_finite_scene(const BiaxialBuilding& building, const TwoAxisBlock& block,
+void require_finite_scene(const BiaxialBuilding& building, const Block& block,
                           const MotionFactors& factors) {
   require_acceleration({factors.horizontal[0], factors.horizontal[1], factors.vertical},
                        "the factors");
@@ -166,19 +166,19 @@ void require_finite_scene(const BiaxialBuilding& building, const TwoAxisBlock& b
                  "friction law");
 }
 
-bool coupling_is_regular(const TwoAxisBlock& block, const BiaxialBuilding& building) {
+bool coupling_is_regular(const Block& block, const BiaxialBuilding& building) {
   const BuildingContact contact(block);
   return building.mass_ratio >= 0.0 && contact.is_regular(accelerance(contact, building));
 }
 
 BuildingSlip slide_on_building(const BuildingGround& ground, const MotionFactors& factors,
-                               const BiaxialBuilding& building, const TwoAxisBlock& block,
+                               const BiaxialBuilding& building, const Block& block,
                                double tolerance) {
   return slide_on_building(ground, factors, building, block, {}, {}, tolerance);
 }
 
 BuildingSlip slide_on_building(const BuildingGround& ground, const MotionFactors& factors,
-                               const BiaxialBuilding& building, const TwoAxisBlock& block,
+                               const BiaxialBuilding& building, const Block& block,
                                std::span<const double> thresholds_m, std::span<Crossing> crossings,
                                double tolerance) {
   return slide_along(track_of(block, thresholds_m, crossings), ground, factors, building, block,
@@ -186,27 +186,26 @@ BuildingSlip slide_on_building(const BuildingGround& ground, const MotionFactors
 }
 
 PlanVector closing_on_building(const BuildingGround& ground, const MotionFactors& factors,
-                               const BiaxialBuilding& building, const TwoAxisBlock& block,
-                               const TwoAxisBlock& neighbour, double tolerance) {
+                               const BiaxialBuilding& building, const Block& block,
+                               const Block& neighbour, double tolerance) {
   require_finite_scene(building, block, factors);
   std::array<std::vector<PathPiece>, 2> paths;
   for (std::size_t i = 0; i < 2; ++i) {
-    const TwoAxisBlock& one = i == 0 ? block : neighbour;
+    const Block& one = i == 0 ? block : neighbour;
     TwoAxisTrack track = track_of(one);
     track.keep(&paths[i]);
     slide_along(track, ground, factors, building, one, tolerance);
   }
-  rotate(paths[1], neighbour.azimuth_rad - block.azimuth_rad);
+  rotate(paths[1], neighbour.fall_azimuth_rad() - block.fall_azimuth_rad());
   const block_detail::Vector lead = largest_lead(paths[0], paths[1]);
   return {lead.s, lead.y};
 }
 
-SlipResult slide_two_axis(const TwoAxisAcceleration& roof, const TwoAxisBlock& block,
-                          double tolerance) {
+SlipResult slide_two_axis(const TwoAxisAcceleration& roof, const Block& block, double tolerance) {
   return slide_with(roof, block, tolerance, nullptr);
 }
 
-SlipResult slide_two_axis(const TwoAxisAcceleration& roof, const TwoAxisBlock& block,
+SlipResult slide_two_axis(const TwoAxisAcceleration& roof, const Block& block,
                           std::vector<TwoAxisPoint>& history, double tolerance) {
   std::vector<PathPiece> path;
   const SlipResult result = slide_with(roof, block, tolerance, &path);

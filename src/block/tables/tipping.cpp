@@ -64,7 +64,7 @@ double peak_over_samples(const RoofAcceleration& roof, const DriveLine& line) {
 }
 
 bool tips_before_it_slides(const Block& block, const RigidBase& base) {
-  return block.friction > rocking_block(block, base).friction;
+  return block.friction.along > rocking_block(block, base).friction.along;
 }
 
 }  // namespace

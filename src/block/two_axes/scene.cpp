@@ -58,7 +58,7 @@ RoofKind roof_of(const TwoAxisScene& scene) {
 }
 
 bool fits_lanes(const TwoAxisScene& scene, const BuildingGround& ground) {
-  const TwoAxisBlock& block = scene.block;
+  const Block& block = scene.block;
   const auto& [first, second] = scene.building.horizontal;
   const FrictionLaw& law = block.law;
   if (law.depends_on_speed() && law.rate_s_per_m > largest_rate_s_per_m) return false;
@@ -66,7 +66,7 @@ bool fits_lanes(const TwoAxisScene& scene, const BuildingGround& ground) {
   if (!(aspect >= least_aspect && aspect <= most_aspect)) return false;
   const double slowest = law.depends_on_speed() ? law.least_factor() : 1.0,
                fastest = law.depends_on_speed() ? law.largest_factor() : 1.0;
-  if (!(slowest * block.friction.along > least_friction * std::tan(block.slope_rad) &&
+  if (!(slowest * block.friction.along > least_friction * std::tan(std::abs(block.slope_rad)) &&
         fastest * block.friction.along < most_friction))
     return false;
   if (first.rigid() != second.rigid()) return false;
@@ -145,7 +145,7 @@ void set_modes(const TwoAxisScene& scene, SceneConstants& c) {
 }  // namespace
 
 SceneConstants constants_of(const TwoAxisScene& scene, double tolerance) {
-  const TwoAxisBlock& block = scene.block;
+  const Block& block = scene.block;
   const RoofKind roof = roof_of(scene);
   const double r = is_one_mass_with_block(roof) ? scene.building.mass_ratio : 0.0,
                rho = r / (1.0 + r);
@@ -160,11 +160,11 @@ SceneConstants constants_of(const TwoAxisScene& scene, double tolerance) {
     c.fast_excess = block.law.fast_over_slow - 1.0;
     c.speed_rate = block.law.rate_s_per_m * std::cos(block.slope_rad);
   }
-  c.tangent = std::tan(block.slope_rad);
+  c.tangent = std::tan(std::abs(block.slope_rad));
   c.cosine = std::cos(block.slope_rad);
   c.cosine2 = c.cosine * c.cosine;
-  c.c = std::cos(block.azimuth_rad);
-  c.s = std::sin(block.azimuth_rad);
+  c.c = std::cos(block.fall_azimuth_rad());
+  c.s = std::sin(block.fall_azimuth_rad());
   c.c_across = c.c / c.cosine;
   c.s_across = c.s / c.cosine;
   c.tolerance = tolerance;
@@ -181,7 +181,7 @@ SceneConstants constants_of(const TwoAxisScene& scene, double tolerance) {
   c.omega_rho_1 = rho * c.omega_1;
   c.omega_rho_2 = rho * c.omega_2;
   c.kappa = 1.0 - rho * c.cosine2;
-  c.rho_sin_cos = rho * std::sin(block.slope_rad) * c.cosine;
+  c.rho_sin_cos = rho * std::sin(std::abs(block.slope_rad)) * c.cosine;
   c.per_kappa_y = 1.0 + r;
   c.anisotropy = c.per_kappa_y * (std::abs(1.0 / c.per_kappa_y - c.kappa) + c.mu * c.rho_sin_cos);
   if (roof == RoofKind::coupled_modes) set_modes(scene, c);

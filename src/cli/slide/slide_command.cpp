@@ -221,7 +221,7 @@ Json to_json(const SlideOptions& o, const SlideHistory& h, const ReadMotion& rea
 }
 
 std::string tipping_text(const SlideOptions& o, double tipping_scale, double scale, double pga_g) {
-  const double most = rocking_block({}, {*o.cm_height_m, *o.base_width_m}).friction;
+  const double most = rocking_block({}, {*o.cm_height_m, *o.base_width_m}).friction.along;
   if (o.c.friction <= most) {
     return fmt::format(
         "  cannot tip: friction lets it slide first (mu <= width / (2 height) = {:.4g})", most);

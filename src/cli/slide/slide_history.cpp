@@ -57,7 +57,7 @@ void write_history(const std::string& file, const RoofAcceleration& roof,
 
 /// On a rigid roof.
 void write_plane_history(const std::string& file, const Motion& motion, double factor,
-                         const TwoAxisBlock& block) {
+                         const Block& block) {
   const auto& [first, second] = motion.horizontal_mps2;
   std::vector<TwoAxisPoint> history;
   slide_two_axis({motion.dt_s, {first, second}, motion.vertical_mps2, factor, factor}, block,
@@ -98,7 +98,8 @@ void write_plane_history(const std::string& file, const Motion& motion, double f
 double tipping_scale(const GroundMotion& ground, const Building& building, const Block& block,
                      const RigidBase& base, double scale) {
   const Block rocking = rocking_block(block, base);
-  if (block.friction <= rocking.friction) return std::numeric_limits<double>::infinity();
+  if (block.friction.along <= rocking.friction.along)
+    return std::numeric_limits<double>::infinity();
   const auto followed_up_to = [&](double largest_scale) {
     const RoofMotion roof =
         roof_motion(ground, building, follow_roof({&rocking, 1}, largest_scale));
@@ -187,11 +188,11 @@ SlideHistory on_coupled_building(const SlideOptions& o, const Motion& motion, do
 
 /// Two axes, several modes, or a law of friction that only the full model has.
 SlideHistory in_full_model(const SlideOptions& o, const Motion& motion, double factor) {
-  const TwoAxisBlock block = two_axis_block(o.c);
+  const Block block = block_of(o);
   const BiaxialBuilding building = biaxial_building(o.c, o.building(), nullptr);
   check_coupling(coupling_is_regular(block, building));
-  const Block weakest{.friction = std::min(block.friction.along, block.friction.across),
-                      .slope_rad = block.slope_rad};
+  Block weakest = block;
+  weakest.friction = std::min(block.friction.along, block.friction.across);
   const BuildingGround ground = building_ground(
       motion, {o.c.vertical_period_s, o.c.vertical_damping}, follow_roof({&weakest, 1}, factor));
   SlideHistory h;

@@ -58,7 +58,7 @@ void take_case(SlideOptions& o, ProblemList& problems) {
 
 /// No oscillator is between ground and array, and friction is Coulomb's.
 bool has_rigid_roof(const Case& c) {
-  return c.period_s == 0.0 && c.vertical_period_s == 0.0 && two_axis_block(c).law.is_coulomb();
+  return c.period_s == 0.0 && c.vertical_period_s == 0.0 && c.law.is_coulomb();
 }
 
 /// A motion of a suite has its components, their steps and units; one of a roof has no building.

@@ -28,7 +28,7 @@ TippingShare share_at(const Results& results, std::size_t combination, std::size
 
 TippingResults TippingAnalysis::find(const StudyConfig& study, const Results& results) {
   const RigidBase& body = *study.tipping;
-  TippingResults tipping{body, rocking_block({}, body).friction, {}};
+  TippingResults tipping{body, rocking_block({}, body).friction.along, {}};
   for (std::size_t i = 0; i < results.cases.combinations(); ++i) {
     for (std::size_t level = 0; level < results.levels.size(); ++level)
       tipping.shares.push_back(share_at(results, i, level));

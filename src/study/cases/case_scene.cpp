@@ -2,7 +2,6 @@
 #include "glissade/study/cases/case_scene.hpp"
 
 #include <cmath>
-#include <numbers>
 
 #include "glissade/core/contract.hpp"
 #include "glissade/core/units.hpp"
@@ -28,24 +27,18 @@ std::array<Modes, 2> building_axes(const Case& c, const BuildingModel& model) {
 }
 
 Block block_of(const Case& c) {
-  return {.friction = c.friction, .slope_rad = c.slope_deg * rad_per_deg, .law = c.law};
-}
-
-TwoAxisBlock two_axis_block(const Case& c) {
-  // A slope that falls toward -x falls toward +x, half a turn on.
-  const double turn = c.slope_deg < 0.0 ? std::numbers::pi : 0.0;
   return {.friction = {c.friction, c.friction_across},
-          .slope_rad = std::abs(c.slope_deg) * rad_per_deg,
-          .azimuth_rad = c.azimuth_deg * rad_per_deg + turn,
+          .slope_rad = c.slope_deg * rad_per_deg,
+          .azimuth_rad = c.azimuth_deg * rad_per_deg,
           .law = c.law};
 }
 
-TwoAxisBlock neighbour_block(const Case& c) {
+Block neighbour_block(const Case& c) {
   const bool turned = c.orientation.slope_axis == SlopeAxis::n_s;
   const double ratio = c.neighbour_friction / (turned ? c.friction_across : c.friction);
   Case on_its_slope = c;
   if (c.neighbour_slope == NeighbourSlope::facing) on_its_slope.slope_deg = -c.slope_deg;
-  TwoAxisBlock block = two_axis_block(on_its_slope);
+  Block block = block_of(on_its_slope);
   block.friction = {ratio * block.friction.along, ratio * block.friction.across};
   return block;
 }
@@ -59,9 +52,9 @@ BiaxialBuilding biaxial_building(const Case& c, const BuildingModel& model,
           .mass_ratio = c.support == ArraySupport::no_array ? 0.0 : c.mass_ratio};
 }
 
-TwoAxisBlock anchored_block() {
+Block anchored_block() {
   constexpr double overwhelming = 1e6;
-  return {.friction = {overwhelming, overwhelming}};
+  return {.friction = overwhelming};
 }
 
 AxisMotion axis_motion(const Orientation& o, int axis) {

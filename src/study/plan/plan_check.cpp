@@ -127,7 +127,7 @@ bool is_regular(const Plan& plan, const Case& c) {
     Case elastic = c;
     elastic.response_modification = elastic.yield_coefficient = 0.0;
     const BiaxialBuilding building = biaxial_building(elastic, plan.config.building, nullptr);
-    return coupling_is_regular(two_axis_block(c), building) &&
+    return coupling_is_regular(block_of(c), building) &&
            (c.neighbour_friction == 0.0 || coupling_is_regular(neighbour_block(c), building));
   }
   return coupling_is_regular(block_of(c), c.mass_ratio);

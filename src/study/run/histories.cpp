@@ -74,7 +74,7 @@ class TableHistories : public Histories {
       : scene_(scene), roof_(roof), curve_(curve), remake_(std::move(remake)) {}
 
   bool does_not_slide(double level) const override {
-    return is_below_yield(scene_, scene_.block.friction, level);
+    return is_below_yield(scene_, scene_.block.friction.along, level);
   }
 
   std::array<double, 2> closing_m(double) const override {
@@ -94,7 +94,7 @@ class TableHistories : public Histories {
     Block at_unit_factor = scene_.block;
     at_unit_factor.gravity_mps2 = scene_.block.gravity_mps2 / factor;
     const auto key =
-        std::bit_cast<std::uint64_t>(at_unit_factor.gravity_mps2 * scene_.block.friction);
+        std::bit_cast<std::uint64_t>(at_unit_factor.gravity_mps2 * scene_.block.friction.along);
     auto point = curve_->find(key);
     if (point != curve_->end()) {
       ++count.from_curve;
@@ -134,7 +134,7 @@ class CoupledHistories : public Histories {
         ground_(roofs.ground_under(scene.c)),
         building_(
             biaxial_building(scene.c, scene.plan.config.building, scene.plan.target(scene.record))),
-        block_(two_axis_block(scene.c)),
+        block_(scene.block),
         batch_(batch) {
     if (scene.c.support != ArraySupport::isolated) {
       ground_.vertical = nullptr;
@@ -149,7 +149,7 @@ class CoupledHistories : public Histories {
 
   std::array<double, 2> closing_m(double level) const override {
     if (scene_.c.support != ArraySupport::isolated || scene_.c.neighbour_friction == 0.0) return {};
-    const TwoAxisBlock neighbour = neighbour_block(scene_.c);
+    const Block neighbour = neighbour_block(scene_.c);
     const EllipticFriction &a = block_.friction, &b = neighbour.friction;
     if (is_below_yield(scene_, std::min({a.along, a.across, b.along, b.across}), level)) return {};
     const PlanVector closing =
@@ -200,7 +200,7 @@ class CoupledHistories : public Histories {
   Scene scene_;
   BuildingGround ground_;
   BiaxialBuilding building_;
-  TwoAxisBlock block_;
+  Block block_;
   std::shared_ptr<TwoAxisLanes> lanes_;
   TwoAxisBatch& batch_;
   std::map<double, TwoAxisRun> known_;  ///< by level

@@ -154,7 +154,7 @@ LeastAccelerations RoofStore::least_of(std::span<const CaseNumber> cases) const 
     all.include(block);
     if (!plan_.config.tipping) continue;
     const Block rocking = rocking_block(block, *plan_.config.tipping);
-    if (rocking.friction < block.friction) all.include(rocking);
+    if (rocking.friction.along < block.friction.along) all.include(rocking);
   }
   return all;
 }

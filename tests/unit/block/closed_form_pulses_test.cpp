@@ -28,7 +28,8 @@ template <class Check>
 void for_each_scene(const Check& check) {
   for_each_solver([&](const Solver& solver) {
     for (const Block& block : blocks) {
-      SCOPED_TRACE(testing::Message() << "mu " << block.friction << ", slope " << block.slope_rad);
+      SCOPED_TRACE(testing::Message()
+                   << "mu " << block.friction.along << ", slope " << block.slope_rad);
       check(solver, block, slider(block));
     }
   });

@@ -15,20 +15,19 @@ namespace closing_test {
 
 using test::OnBuilding;
 
-TwoAxisBlock with_friction(TwoAxisBlock block, double factor) {
+Block with_friction(Block block, double factor) {
   block.friction.along *= factor;
   block.friction.across *= factor;
   return block;
 }
 
 /// On the slope that falls toward the block's.
-TwoAxisBlock facing(TwoAxisBlock block) {
+Block facing(Block block) {
   block.azimuth_rad += std::numbers::pi;
   return block;
 }
 
-PlanVector closing(const OnBuilding& scene, const TwoAxisBlock& block,
-                   const TwoAxisBlock& neighbour) {
+PlanVector closing(const OnBuilding& scene, const Block& block, const Block& neighbour) {
   return closing_on_building(scene.ground(), {scene.factor, scene.factor}, scene.building, block,
                              neighbour, scene.tolerance);
 }
@@ -57,7 +56,7 @@ TEST(closing_on_building, of_a_constant_push_is_its_closed_form) {
   constexpr double a = 6.0, dt = 0.01;
   const std::vector<double> push(101, a);
   const BuildingGround ground{{std::make_shared<GroundTable>(dt, push), nullptr}, nullptr};
-  const TwoAxisBlock rough{.friction = {0.4, 0.4}}, smooth{.friction = {0.3, 0.3}};
+  const Block rough{.friction = 0.4}, smooth{.friction = 0.3};
   const double apart_m = pushed_m(0.4, a, 1.0, dt) - pushed_m(0.3, a, 1.0, dt);
   ASSERT_GT(apart_m, 0.5);
   // The smooth one slides farther back, so it comes closer if it lies ahead of the rough one.
@@ -168,7 +167,7 @@ TEST(closing_on_building, across_a_valley_is_that_on_one_slope_where_the_roof_is
 // From either array the gap is the same one.
 TEST(closing_on_building, across_a_valley_is_that_seen_from_the_other_side) {
   OnBuilding scene;
-  const TwoAxisBlock other = facing(with_friction(scene.block, 1.3));
+  const Block other = facing(with_friction(scene.block, 1.3));
   const PlanVector found = closing(scene, scene.block, other),
                    back = closing(scene, other, scene.block);
   ASSERT_GT(found.along_m, 0.0);
@@ -183,7 +182,7 @@ TEST(closing_on_building, of_symmetric_arrays_across_a_valley_is_twice_the_slip_
   std::ranges::fill(scene.first, 0.0);
   std::ranges::fill(scene.second, 0.0);
   scene.building = {};
-  scene.block.friction = {0.09, 0.09};
+  scene.block.friction = 0.09;
   scene.block.slope_rad = 0.1;
   const SlipResult one = scene.result().slip;
   ASSERT_GT(one.peak_by_axis.along_m, 1e-3);
@@ -209,7 +208,7 @@ void expect_that_of_two_fine_histories(bool across_a_valley) {
     std::array<std::vector<TwoAxisPoint>, 2> fine;
     double peak_m = 0.0;
     for (const std::size_t i : {0u, 1u}) {
-      TwoAxisBlock block = with_friction(scene.block, i == 0 ? 1.3 : 1.0);
+      Block block = with_friction(scene.block, i == 0 ? 1.3 : 1.0);
       if (i == 1 && across_a_valley) block = facing(block);
       const SlipResult alone = slide_two_axis({scene.dt_s, {scene.first, scene.second}, scene.up},
                                               block, fine[i], 1e-11);
@@ -264,7 +263,7 @@ TEST(closing_on_building, changes_sides_with_the_mirrored_ground) {
   OnBuilding scene;
   scene.block.azimuth_rad = 0.0;
   const BuildingGround ground = scene.ground();
-  const TwoAxisBlock other = with_friction(scene.block, 1.3);
+  const Block other = with_friction(scene.block, 1.3);
   const PlanVector found = closing_on_building(ground, {}, scene.building, other, scene.block);
   const PlanVector mirrored =
       closing_on_building(ground, {{1.0, -1.0}, 1.0}, scene.building, scene.block, other);

@@ -27,7 +27,7 @@ std::vector<CoupledScene> made_up_scenes(std::size_t count, unsigned seed) {
         uniform(random, 0.0, 0.5),
         {}};
     s.block.friction = uniform(random, 0.05, 0.4);
-    s.block.slope_rad = uniform(random, -0.9, 0.9) * std::atan(s.block.friction);
+    s.block.slope_rad = uniform(random, -0.9, 0.9) * std::atan(s.block.friction.along);
     s.factors = {uniform(random, 0.5, 2.0), 0.8};
   }
   return scenes;

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "glissade/block/coupled.hpp"
-#include "glissade/building/roof_motion.hpp"
+#include "glissade/block/peak_slip.hpp"
 #include "unit/block/reference.hpp"
 
 namespace glissade {

@@ -28,7 +28,7 @@ CoupledScene made_up_scene(std::mt19937& random) {
                   {uniform(random, 1.0, 20.0), 0.1}},
                  {.friction = uniform(random, 0.1, 0.35)},
                  {1.5, 1.0}};
-  s.block.slope_rad = uniform(random, 0.0, 0.8) * std::atan(s.block.friction);
+  s.block.slope_rad = uniform(random, 0.0, 0.8) * std::atan(s.block.friction.along);
   s.block.law.static_over_sliding = uniform(random, 1.01, 1.5);
   return s;
 }

@@ -32,7 +32,7 @@ struct Scene {
             {std::exp(uniform(random, std::log(0.03), std::log(3.0))), uniform(random, 0.005, 0.2)},
             uniform(random, 0.0, 0.5)},
         block{.friction = uniform(random, 0.05, 0.5)} {
-    block.slope_rad = uniform(random, 0.0, 0.9) * std::min(std::atan(block.friction), 0.3);
+    block.slope_rad = uniform(random, 0.0, 0.9) * std::min(std::atan(block.friction.along), 0.3);
   }
   GroundMotion ground() const { return {dt_s, a, w}; }
 };

@@ -35,7 +35,7 @@ struct Scene {
             uniform(random, 0.0, 1.0),
             {}},
         block{.friction = uniform(random, 0.05, 0.3)} {
-    block.slope_rad = uniform(random, -0.9, 0.9) * std::min(std::atan(block.friction), 0.3);
+    block.slope_rad = uniform(random, -0.9, 0.9) * std::min(std::atan(block.friction.along), 0.3);
     building.yielding = {1.0, seed % 3 == 0 ? 0.0 : uniform(random, 0.0, 0.3)};
     const CoupledBuilding elastic{building.horizontal, building.mass_ratio, {}};
     const double omega = 2.0 * std::numbers::pi / building.horizontal.period_s;

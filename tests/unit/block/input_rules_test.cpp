@@ -29,8 +29,7 @@ const double slope_rad = 5 * rad_per_deg;
 Block block_with(double friction) { return {.friction = friction, .slope_rad = slope_rad}; }
 
 SlipResult on_two_axes(const Block& block) {
-  TwoAxisBlock two{.friction = {block.friction, block.friction}, .slope_rad = block.slope_rad};
-  return slide_two_axis({0.01, {record, {}}, {}}, two);
+  return slide_two_axis({0.01, {record, {}}, {}}, block);
 }
 
 TEST(critical_friction, is_one_rule_for_all_models) {
@@ -105,9 +104,9 @@ TEST(input_that_is_not_finite, is_refused_by_every_model) {
     EXPECT_THROW(slide_coupled({0.01, record, broken}, {}, building, block), std::invalid_argument);
     EXPECT_THROW(slide_coupled({0.01, record}, {}, {{bad, 0.05}, 0.1}, block),
                  std::invalid_argument);
-    EXPECT_THROW(slide_two_axis({0.01, {broken, {}}, {}}, {.friction = {0.2, 0.2}}),
+    EXPECT_THROW(slide_two_axis({0.01, {broken, {}}, {}}, {.friction = 0.2}),
                  std::invalid_argument);
-    EXPECT_THROW(slide_two_axis({0.01, {record, {}}, {}}, {.friction = {bad, bad}}),
+    EXPECT_THROW(slide_two_axis({0.01, {record, {}}, {}}, {.friction = bad}),
                  std::invalid_argument);
   }
 }
@@ -116,7 +115,7 @@ TEST(input_that_is_not_finite, is_refused_by_every_model) {
 // gave zero.
 TEST(a_scene_that_is_not_finite, is_refused_by_every_model_of_two_axes) {
   const BuildingGround ground{{std::make_shared<GroundTable>(0.01, record), nullptr}, nullptr};
-  const TwoAxisScene good{{{{{0.5, 0.05}, {0.4, 0.05}}}, {}, 0.05}, {.friction = {0.2, 0.2}}, {}};
+  const TwoAxisScene good{{{{{0.5, 0.05}, {0.4, 0.05}}}, {}, 0.05}, {.friction = 0.2}, {}};
   const auto numbers = [](TwoAxisScene& s) {
     return std::vector<double*>{&s.factors.horizontal[0],
                                 &s.factors.horizontal[1],
@@ -154,7 +153,7 @@ TEST(a_scene_that_is_not_finite, is_refused_by_every_model_of_two_axes) {
 
 TwoAxisScene scene_on_a_building(double factor, const FrictionLaw& law = {}) {
   return {{{{{0.5, 0.05}, {0.4, 0.05}}}, {}, 0.05},
-          {.friction = {0.2, 0.2}, .law = law},
+          {.friction = 0.2, .law = law},
           {{factor, 0.0}, 0.0}};
 }
 

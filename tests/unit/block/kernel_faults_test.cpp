@@ -27,7 +27,7 @@ using test::made_up_record;
 TEST(lifted_without_horizontal_motion, is_uplift_but_no_phase_of_sliding) {
   const std::vector<double> still(101, 0.0), up(101, -15.0);
   const Block block{.friction = 0.3};
-  const TwoAxisBlock two{.friction = {0.3, 0.3}};
+  const Block two{.friction = 0.3};
   const SlipResult one = slide({0.01, still, up}, block);
   EXPECT_EQ(one.slip_phases, 0u);
   EXPECT_TRUE(one.uplift);
@@ -65,7 +65,7 @@ TEST(extremes_on_a_path, see_two_turns_close_together) {
 // as the scale of the errors, the displacement was 1.8 % off at 0.09 s.
 TEST(a_rejected_step, does_not_loosen_the_tolerance_of_the_steps_taken) {
   const std::vector<double> along{2.9, 10.0}, across{0.0, -10.0};
-  const TwoAxisBlock block{.friction = {0.3, 0.3}};
+  const Block block{.friction = 0.3};
   std::vector<TwoAxisPoint> coarse, fine;
   slide_two_axis({1.0, {along, across}}, block, coarse, 1e-5);
   slide_two_axis({1.0, {along, across}}, block, fine, 1e-9);
@@ -118,7 +118,7 @@ TEST(ring_down, of_an_undamped_building_is_120_s_in_every_model) {
   EXPECT_NEAR(table.slip_duration_s, events.slip.slip_duration_s, 0.1);
 
   const BuildingGround under{{std::make_shared<GroundTable>(0.01, record), nullptr}, nullptr};
-  const TwoAxisScene scene{{{{building.horizontal, {}}}}, {.friction = {0.02, 0.02}}, {}};
+  const TwoAxisScene scene{{{{building.horizontal, {}}}}, {.friction = 0.02}, {}};
   const double full =
       slide_on_building(under, {}, scene.building, scene.block, 1e-8).slip.peak_displacement_m;
   BuildingPeak lanes;
@@ -144,7 +144,7 @@ TEST(a_period_far_below_the_time_step, is_rigid_in_every_model) {
         peak_slip(tabulate_roof(ground, {roof, {}}, {}), block).peak_displacement_m,
         slide_coupled(ground, {}, {roof, 0.0}, block).slip.peak_displacement_m,
         slide_on_building({{table, nullptr}, nullptr}, {}, {{roof, roof}},
-                          {.friction = {block.friction, block.friction}})
+                          {.friction = block.friction})
             .slip.peak_displacement_m};
   };
   for (const double peak : peaks(3.005)) EXPECT_EQ(peak, 0.0);
@@ -163,7 +163,7 @@ TEST(a_rigid_building, cannot_yield) {
       slide_on_building(
           {{std::make_shared<GroundTable>(0.02, record), nullptr}, nullptr}, {},
           {{building.horizontal, building.horizontal}, {building.yielding, building.yielding}, 0.1},
-          {.friction = {0.3, 0.3}}),
+          {.friction = 0.3}),
       InputError);
 }
 
@@ -172,7 +172,7 @@ TEST(a_step_of_a_nanosecond, is_refused_on_a_building_instead_of_walked_for_minu
   EXPECT_THROW(slide_coupled({1e-9, record}, {}, {{0.5, 0.05}, 0.1}, {.friction = 0.1}),
                NotConverged);
   EXPECT_THROW(slide_on_building({{std::make_shared<GroundTable>(1e-9, record), nullptr}, nullptr},
-                                 {}, {{{{0.5, 0.05}, {0.5, 0.05}}}, 0.1}, {.friction = {0.1, 0.1}}),
+                                 {}, {{{{0.5, 0.05}, {0.5, 0.05}}}, 0.1}, {.friction = 0.1}),
                NotConverged);
 }
 
@@ -181,7 +181,7 @@ TEST(a_step_of_a_nanosecond, is_refused_on_a_building_instead_of_walked_for_minu
 TEST(a_step_of_a_nanosecond, does_not_take_minutes_in_lanes) {
   const auto record = made_up_record(100, 3, 6.0);
   const BuildingGround ground{{std::make_shared<GroundTable>(1e-9, record), nullptr}, nullptr};
-  const TwoAxisBlock block{.friction = {1e-9, 1e-9}};
+  const Block block{.friction = {1e-9, 1e-9}};
   const BiaxialBuilding building{{{{0.5, 0.05}, {0.5, 0.05}}}};
   const std::vector<TwoAxisScene> scenes{{{}, block, {}}, {building, block, {}}};
   std::vector<BuildingPeak> peaks(scenes.size());

@@ -87,7 +87,8 @@ inline std::vector<double> refined(const std::vector<double>& x, int parts) {
 }
 
 inline void expect_inserted_samples_change_nothing(const Scene& scene, const Solver& solver) {
-  if (std::tan(std::abs(scene.block.slope_rad)) > scene.block.friction) return;  // ends elsewhere
+  if (std::tan(std::abs(scene.block.slope_rad)) > scene.block.friction.along)
+    return;  // ends elsewhere
   const SlipPeak one = solver.solve(scene.roof(), scene.block);
   for (const int parts : {2, 3}) {
     Scene fine = scene;
@@ -99,7 +100,8 @@ inline void expect_inserted_samples_change_nothing(const Scene& scene, const Sol
 }
 
 inline void expect_padding_and_shift_change_nothing(const Scene& scene, const Solver& solver) {
-  if (std::tan(std::abs(scene.block.slope_rad)) > scene.block.friction) return;  // never at rest
+  if (std::tan(std::abs(scene.block.slope_rad)) > scene.block.friction.along)
+    return;  // never at rest
   const SlipPeak one = solver.solve(scene.roof(), scene.block);
   const auto with_zeros = [](const std::vector<double>& x, std::size_t before, std::size_t after) {
     if (x.empty()) return x;

@@ -17,7 +17,7 @@ constexpr double g = standard_gravity_mps2;
 /// 0.1 ms and is so large that friction does nothing meanwhile.
 struct Thrown {
   double dt_s = 1e-7, speed_mps = 1.0;
-  TwoAxisBlock block{{0.3, 0.3}};
+  Block block{{0.3, 0.3}};
   BiaxialBuilding building{{Oscillator{0.0}, Oscillator{0.0}}, {}, 0.0};
   double angle = 0.4;
   std::vector<double> thresholds_m;

@@ -51,7 +51,7 @@ TEST(slide_on_modes, three_storeys_are_their_full_matrices) {
 TEST(slide_on_modes, base_shear_and_roof_displacement_are_those_of_the_full_matrices) {
   for (const std::size_t count : {2u, 3u}) {
     StoreyScene s(5, 0.4, true);
-    s.scene.block.friction = {0.02, 0.02};
+    s.scene.block.friction = 0.02;
     s.scene.block.slope_rad = 0.0;
     const TwoAxisTruth truth = s.truth();
     for (Modes& axis : s.scene.building.horizontal)
@@ -114,7 +114,7 @@ TEST(slide_on_modes, coupling_is_regular_as_of_a_mass_ratio_times_their_accelera
   const Modes axis = cantilever(0.6, 5.0, 5);
   for (const double mu : {0.5, 2.7, 2.9, 4.0})
     for (const double ratio : {0.02, 0.1, 0.2}) {
-      const TwoAxisBlock block{{mu, mu}, 0.6, 0.3};
+      const Block block{{mu, mu}, 0.6, 0.3};
       EXPECT_EQ(coupling_is_regular(block, {{axis, axis}, {}, ratio}),
                 coupling_is_regular(
                     block, {{Oscillator{0.5}, Oscillator{0.5}}, {}, ratio * axis.accelerance()}));

@@ -18,7 +18,7 @@ struct OnBuilding {
   Oscillator vertical{0.0};
   double factor = 1.0;
   BiaxialBuilding building{{{{0.5, 0.05}, {0.8, 0.05}}}, {}, 0.1};
-  TwoAxisBlock block{{0.3, 0.3}, 2.0 * rad_per_deg, 0.4};
+  Block block{{0.3, 0.3}, 2.0 * rad_per_deg, 0.4};
   double tolerance = 1e-6;
 
   explicit OnBuilding(unsigned seed = 1, std::size_t n = 1200, double peak_mps2 = 20.0)
@@ -35,7 +35,7 @@ struct OnBuilding {
       o = {std::exp(uniform(std::log(0.05), std::log(3.0))), uniform(0.01, 0.1)};
     building.mass_ratio = uniform(0.0, 0.5);
     const double mu = uniform(0.05, 0.6);
-    block.friction = {mu, mu};
+    block.friction = mu;
     block.slope_rad = uniform(0.0, 0.9) * std::min(std::atan(mu), 0.3);
     block.azimuth_rad = uniform(-3.0, 3.0);
   }

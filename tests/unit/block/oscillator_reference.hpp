@@ -31,7 +31,7 @@ class OscillatorReference {
         zeta_(damping),
         factor_(factor) {
     const double c = std::cos(block.slope_rad), s = std::sin(block.slope_rad),
-                 g = block.gravity_mps2, mu = block.friction;
+                 g = block.gravity_mps2, mu = block.friction.along;
     drive_[0] = {-(c + mu * s), g * (s - mu * c)};
     drive_[1] = {c - mu * s, g * (-s - mu * c)};
     ground_.push_back(0.0);

@@ -36,7 +36,7 @@ struct Reference {
     // A roof that falls toward -x is the mirror image of one that falls toward +x.
     const int mirror = block.slope_rad < 0 ? -1 : 1;
     const Real slope = std::abs(block.slope_rad), sine = sin(slope), cosine = cos(slope),
-               g = block.gravity_mps2, friction = block.friction;
+               g = block.gravity_mps2, friction = block.friction.along;
     const std::size_t n = roof.horizontal_mps2.size();
     const auto a = [&](std::size_t i) {
       return i < n ? mirror * Real(roof.horizontal_mps2[i]) * roof.horizontal_factor : Real(0);

@@ -61,7 +61,7 @@ void expect_fifty_digits(const Scene& scene, const SlipPeak& r, const Reference&
                slip = static_cast<double>(exact.slip);
   double tolerance = relative_tolerance * std::max(down, up);
   if (scene.ill_conditioned != nullptr) {
-    const double acceleration = (1 + scene.block.friction) *
+    const double acceleration = (1 + scene.block.friction.along) *
                                 (scene.block.gravity_mps2 + largest(scene.a) + largest(scene.w));
     const double time_s = scene.dt_s * static_cast<double>(scene.a.size());
     tolerance += 4 * eps * acceleration * time_s * time_s;

@@ -279,7 +279,7 @@ double onset_looking_into_every_interval(const RoofTable& roof, double friction)
 TEST(slip_onset, passes_nothing_over_that_looking_into_every_interval_would_find) {
   for_each_scene([](const Scene& scene) {
     const RoofTable roof = tabulated(scene);
-    const double mu = scene.block.friction;
+    const double mu = scene.block.friction.along;
     EXPECT_EQ(slip_onset_factor(roof, {.friction = mu}),
               onset_looking_into_every_interval(roof, mu));
   });

@@ -204,8 +204,7 @@ TEST(peak_slip_two_axes, along_one_axis_is_slide) {
   for (const double slope_deg : {0.0, 3.0}) {
     const Block block{.friction = 0.25, .slope_rad = slope_deg * rad_per_deg};
     const SlipResult r = slide({0.01, a}, block);
-    const TwoAxisScene scene{
-        {}, {{block.friction, block.friction}, block.slope_rad, 0.0}, {{1.0, 1.0}, 1.0}};
+    const TwoAxisScene scene{{}, block, {{1.0, 1.0}, 1.0}};
     const BuildingPeak p = solve(ground, {&scene, 1}).front();
     EXPECT_NEAR(p.peak_downslope_m, r.peak_downslope_m, 2e-6 * r.peak_displacement_m);
     EXPECT_NEAR(p.peak_upslope_m, r.peak_upslope_m, 2e-6 * r.peak_displacement_m);
@@ -223,7 +222,7 @@ TEST(peak_slip_two_axes, what_does_not_fit_the_lanes_is_the_reference) {
   made.vertical = {0.1, 0.02};
   const BuildingGround ringing = made.ground();
   std::vector<TwoAxisScene> scenes = made_up_scenes(Kind::coupled, 9, 10);
-  for (TwoAxisScene& s : scenes) s.block.friction = {0.2, 0.2};
+  for (TwoAxisScene& s : scenes) s.block.friction = 0.2;
   scenes[0].block.friction.across = 0.09;
   scenes[1].block.law = {1.0, 0.1, 20.0};
   scenes[2].block.law = {1.0, 1.5, 2000.0};
@@ -264,7 +263,7 @@ TEST(peak_slip_two_axes, follows_the_building_after_the_record) {
       for (const TwoAxisScene& s : made_up_scenes(kind, 16, 23)) scenes.push_back(s);
     for (TwoAxisScene& s : scenes) {
       s.factors = {2.0, 2.0};
-      s.block.friction = {0.12, 0.12};
+      s.block.friction = 0.12;
       s.block.slope_rad = 0.03;
     }
     const std::vector<double> found = errors(ground, scenes, 1e-6);

@@ -19,7 +19,7 @@ struct Scene {
   std::vector<double> first = made_up_record(1200, 1, 8.0), second = made_up_record(1200, 51, 6.0),
                       up = made_up_record(1200, 101, 3.0);
   double dt_s = 0.005, factor = 1.0;
-  TwoAxisBlock block{{0.3, 0.3}, 2.0 * rad_per_deg, 0.4};
+  Block block{{0.3, 0.3}, 2.0 * rad_per_deg, 0.4};
   double tolerance = 1e-6;
   SlipResult result() const {
     return slide_two_axis({dt_s, {first, second}, up, factor, factor}, block, tolerance);
@@ -50,7 +50,7 @@ TEST(slide_two_axis, is_slide_where_the_roof_moves_along_the_slope) {
         for (const double slope_deg : {0.0, 1.19, 4.0, 7.0}) {
           const SlipResult one = slide({0.005, a, w}, {mu, slope_deg * rad_per_deg});
           for (const double across : {mu, 0.6 * mu}) {
-            const TwoAxisBlock block{{mu, across}, slope_deg * rad_per_deg};
+            const Block block{{mu, across}, slope_deg * rad_per_deg};
             expect_one_axis(one, slide_two_axis({0.005, {a, none}, w}, block), 1.0, 0.0, 1e-12);
           }
           slid += one.slip_phases > 0 ? 1 : 0;

@@ -75,7 +75,7 @@ TEST(two_axis_truth, is_one_axis_on_a_building) {
   const auto a = test::made_up_record(150, 3, 12.0);
   for (const double period_s : {0.2, 0.6}) {
     BiaxialBuilding building{.horizontal = {Oscillator{period_s, 0.05}, Oscillator{0.0}}};
-    const TwoAxisBlock block{{0.3, 0.3}, 0.03};
+    const Block block{{0.3, 0.3}, 0.03};
     const test::OscillatorReference smooth(0.01, a, period_s, 0.05, 1.0, {0.3, 0.03}, 10.0);
     const double peak_m = std::max(smooth.down, smooth.up);
     expect_near(TwoAxisTruth({0.01, {a}, {}, {}, building, block}).peak_m, peak_m, 1e-11 * peak_m);

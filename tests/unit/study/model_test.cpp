@@ -191,7 +191,7 @@ struct OnTwoAxes {
   BuildingGround ground;
   MotionFactors factors;
   BiaxialBuilding building;
-  TwoAxisBlock block;
+  Block block;
 
   OnTwoAxes(const Plan& plan, std::size_t record, std::size_t i, std::size_t level) {
     const Case c = plan.cases[i];
@@ -249,7 +249,7 @@ void expect_closing_by_hand(NeighbourSlope slope) {
     const OnTwoAxes by_hand(plan, record, i, level);
     const Case c = plan.cases[i];
     EXPECT_NE(c.neighbour_friction, c.friction);  // drawn by itself
-    TwoAxisBlock neighbour = by_hand.block;
+    Block neighbour = by_hand.block;
     neighbour.friction = {c.neighbour_friction,
                           c.neighbour_friction / c.friction * c.friction_across};
     if (slope == NeighbourSlope::facing) neighbour.azimuth_rad += std::numbers::pi;

@@ -78,7 +78,7 @@ std::vector<Case> sticks_until_a_peak_acceleration() {
 /// friction; from then on its acceleration is the exact one.
 double published_on_still_slope_m(const Block& block, double time_s, double substep_s) {
   const double sin = std::sin(block.slope_rad), cos = std::cos(block.slope_rad);
-  const double first = g * sin * cos, then = g * (sin - block.friction * cos) * cos;
+  const double first = g * sin * cos, then = g * (sin - block.friction.along * cos) * cos;
   const double rest = time_s - substep_s;
   return first * substep_s * (0.5 * substep_s + rest) + 0.5 * then * rest * rest;
 }

@@ -16,7 +16,7 @@ namespace {
 double bound_m(const LinkRun& run, const test::ElasticLink& link) {
   const Block block = run.scene.block();
   const double omega = explicit_step(link, block) / link.longest_substep_s;
-  return 2.0 * block.friction * block.gravity_mps2 / omega * run.exact.slip_duration_s;
+  return 2.0 * block.friction.along * block.gravity_mps2 / omega * run.exact.slip_duration_s;
 }
 
 double largest_share_of_bound(const std::vector<LinkRun>& runs, Model model) {

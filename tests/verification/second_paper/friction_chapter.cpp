@@ -30,7 +30,7 @@ OnBuilding pushed(const std::vector<double>& a, const FrictionLaw& law) {
   OnBuilding scene = at_rest(a.size());
   scene.dt_s = 0.01;
   scene.first = a;
-  scene.block.friction = {mu, mu};
+  scene.block.friction = mu;
   scene.block.law = law;
   return scene;
 }
@@ -103,7 +103,7 @@ std::vector<Case> coasting() {
     OnBuilding scene = at_rest(8);
     scene.dt_s = 1e-9;
     scene.first[1] = -speed_mps / scene.dt_s;
-    scene.block.friction = {mu, mu};
+    scene.block.friction = mu;
     scene.block.law = law;
     const SlipResult r = scene.result().slip;
     const double fast = law.fast_over_slow, rate = law.rate_s_per_m;

@@ -32,7 +32,7 @@ inline std::vector<CoupledScene> coupled_scenes(std::size_t count, unsigned seed
         uniform(random, 0.0, 0.5),
         {}};
     s.block.friction = uniform(random, 0.05, 0.5);
-    s.block.slope_rad = uniform(random, -0.95, 0.95) * std::atan(s.block.friction);
+    s.block.slope_rad = uniform(random, -0.95, 0.95) * std::atan(s.block.friction.along);
     const double factor = std::exp(uniform(random, std::log(0.2), std::log(3.0)));
     s.factors = {factor, 0.8 * factor};
   }

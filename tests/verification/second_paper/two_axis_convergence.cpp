@@ -16,7 +16,7 @@ struct Scene {
   BuildingGround ground;
   MotionFactors factors;
   BiaxialBuilding building;
-  TwoAxisBlock block;
+  Block block;
 
   double peak_m(double tolerance) const {
     return slide_on_building(ground, factors, building, block, tolerance).slip.peak_displacement_m;

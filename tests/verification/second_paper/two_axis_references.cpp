@@ -72,7 +72,7 @@ OnBuilding quiet_scene(std::mt19937& random, unsigned seed) {
   scene.factor = 2.0;
   for (Modes& o : scene.building.horizontal) o = {std::clamp(o.period_s(), 0.2, 1.0), 0.1};
   const double mu = std::max(scene.block.friction.along, 0.15);
-  scene.block.friction = {mu, mu};
+  scene.block.friction = mu;
   scene.block.slope_rad *= 0.5;
   return scene;
 }

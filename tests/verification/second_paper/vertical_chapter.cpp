@@ -35,7 +35,7 @@ std::vector<Case> lifted_roof() {
       scene.first.assign(400, -a);
       scene.up.assign(400, w);
       scene.vertical = {period_s, 0.0};
-      scene.block.friction = {mu, mu};
+      scene.block.friction = mu;
       std::vector<Crossing> full(1), table(1);
       scene.result(distance_m, full);
       peak_slip(
@@ -97,7 +97,7 @@ struct Roof {
     scene.vertical = building.vertical;
     scene.factor = motion.scale;
     scene.building = {{building.horizontal, Oscillator{0.0}}, {}, 0.0};
-    scene.block = {{block.friction, block.friction}, block.slope_rad, 0.0};
+    scene.block = block;
     scene.tolerance = 1e-8;
     return scene.result().slip;
   }

@@ -4,7 +4,6 @@
 #include <array>
 
 #include "glissade/block/on_building.hpp"
-#include "glissade/block/slide.hpp"
 #include "glissade/building/building_model.hpp"
 #include "glissade/motion/design_spectrum.hpp"
 #include "glissade/study/cases/case.hpp"
@@ -21,14 +20,13 @@ Yielding strength_of(const Case& c, double period_s, const DesignTarget* target)
 std::array<Modes, 2> building_axes(const Case& c, const BuildingModel& model);
 
 Block block_of(const Case& c);
-TwoAxisBlock two_axis_block(const Case& c);
 /// Of an array that has a neighbour.
-TwoAxisBlock neighbour_block(const Case& c);
+Block neighbour_block(const Case& c);
 BiaxialBuilding biaxial_building(const Case& c, const BuildingModel& model,
                                  const DesignTarget* target);
 
 /// Of an array that does not slide: what friction nothing overcomes does on a flat roof that does
 /// not move vertically.
-TwoAxisBlock anchored_block();
+Block anchored_block();
 
 }  // namespace glissade
