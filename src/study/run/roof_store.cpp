@@ -226,76 +226,79 @@ std::shared_ptr<TwoAxisLanes> RoofStore::two_axis_lanes(const BuildingGround& gr
   return lanes_.emplace_back(std::make_shared<TwoAxisLanes>(ground));
 }
 
-/// Roofs over one ground and step go through the oscillators' bank together.
-void RoofStore::make(std::span<const std::size_t> buildings,
-                     std::span<const RoofMotionOptions> follow, std::span<CaseRoof> roofs) {
-  const double dt = plan_.motion(record_).dt_s;
-  const int axes = plan_.config.two_axes() ? 2 : 1;
-  while (pool_.size() < roofs.size() * 2) pool_.push_back(nullptr);
+namespace {
 
-  struct Member {
-    std::size_t roof;
-    int axis;
-  };
-  struct Group {
-    std::shared_ptr<GroundTable> ground;
-    std::vector<Member> members;
-    std::vector<Modes> buildings;
-    std::vector<RoofMotionOptions> follow;
-  };
-  const auto table_of = [&](Member m) -> RoofTable& {
-    return m.axis == 0 ? roofs[m.roof].table : roofs[m.roof].second;
-  };
-  const auto pooled = [&](Member m) -> std::shared_ptr<MotionTable>& {
-    return pool_[2 * m.roof + static_cast<std::size_t>(m.axis)];
-  };
-  const auto stand = [&](Member m, std::shared_ptr<MotionTable> table, int parts) {
-    table_of(m) = stand_on(std::move(table), vertical(case_on(buildings[m.roof]), parts));
-  };
-  std::map<std::pair<AxisKey, int>, Group> groups;  // by ground and parts
-  for (std::size_t i = 0; i < roofs.size(); ++i) {
-    const Case& c = case_on(buildings[i]);
-    const std::array<Modes, 2> own = building_axes(c, plan_.config.building);
-    for (int axis = 0; axis < axes; ++axis) {
-      const Modes building = loaded_roof(plan_, c, own[static_cast<std::size_t>(axis)], dt);
-      const AxisMotion motion = axis_motion(c.orientation, axis);
-      const int parts = parts_needed(building, dt);
-      const int used = std::max({1, parts, vertical_parts(c)});
-      ++roofs_made_;
-      if (parts == 0) {
-        stand({i, axis}, std::make_shared<MotionTable>(tabulate_rigid(ground(motion, used))), used);
-        continue;
-      }
-      Group& group = groups[{{motion.component, motion.azimuth_deg}, used}];
-      group.ground = ground(motion, used);
-      group.members.push_back({i, axis});
-      group.buildings.push_back(building);
-      group.follow.push_back(follow[i]);
-    }
-  }
-  for (const auto& [key, group] : groups) {
-    std::vector<MotionTable> tables(group.members.size());
-    for (std::size_t k = 0; k < tables.size(); ++k) {
-      std::shared_ptr<MotionTable>& table = pooled(group.members[k]);
-      if (table && table.use_count() == 1) tables[k] = std::move(*table);  // its memory
-    }
-    tabulate_responses(group.ground, group.buildings, group.follow, tables);
-    for (std::size_t k = 0; k < tables.size(); ++k) {
-      auto table = std::make_shared<MotionTable>(std::move(tables[k]));
-      stand(group.members[k], table, key.second);
-      pooled(group.members[k]) = std::move(table);
-    }
-  }
-}
+/// One axis of a roof.
+struct RoofAxis {
+  RoofTable* to;
+  std::shared_ptr<MotionTable>* memory;  ///< of a table that nobody needs
+  std::shared_ptr<MotionTable> up;
+};
 
-RoofTable RoofStore::stand_on(std::shared_ptr<MotionTable> horizontal,
-                              const std::shared_ptr<MotionTable>& up) {
+/// Those over one ground and step: they go through the oscillators' bank together.
+struct AxesOnGround {
+  std::shared_ptr<GroundTable> ground;
+  std::vector<RoofAxis> axes;
+  std::vector<Modes> buildings;
+  std::vector<RoofMotionOptions> follow;
+};
+
+RoofTable stand_on(std::shared_ptr<MotionTable> horizontal,
+                   const std::shared_ptr<MotionTable>& up) {
   if (up) {
     extend(*horizontal, up->end + 1);
     extend(*up, horizontal->end + 1);
     extend(*up, horizontal->ground->last_sample() + 1);
   }
   return {std::move(horizontal), up};
+}
+
+void tabulate(const AxesOnGround& on) {
+  std::vector<MotionTable> tables(on.axes.size());
+  for (std::size_t k = 0; k < tables.size(); ++k) {
+    const std::shared_ptr<MotionTable>& memory = *on.axes[k].memory;
+    if (memory && memory.use_count() == 1) tables[k] = std::move(*memory);
+  }
+  tabulate_responses(on.ground, on.buildings, on.follow, tables);
+  for (std::size_t k = 0; k < tables.size(); ++k) {
+    auto table = std::make_shared<MotionTable>(std::move(tables[k]));
+    *on.axes[k].to = stand_on(table, on.axes[k].up);
+    *on.axes[k].memory = std::move(table);
+  }
+}
+
+}  // namespace
+
+void RoofStore::make(std::span<const std::size_t> buildings,
+                     std::span<const RoofMotionOptions> follow, std::span<CaseRoof> roofs) {
+  const double dt = plan_.motion(record_).dt_s;
+  const std::size_t axes = plan_.config.two_axes() ? 2 : 1;
+  while (pool_.size() < roofs.size() * 2) pool_.push_back(nullptr);
+  std::map<std::pair<AxisKey, int>, AxesOnGround> grounds;  // and parts
+  for (std::size_t i = 0; i < roofs.size(); ++i) {
+    const Case c = case_on(buildings[i]);
+    const std::array<Modes, 2> own = building_axes(c, plan_.config.building);
+    for (std::size_t n = 0; n < axes; ++n) {
+      const Modes building = loaded_roof(plan_, c, own[n], dt);
+      const AxisMotion motion = axis_motion(c.orientation, static_cast<int>(n));
+      const int parts = parts_needed(building, dt);
+      const int used = std::max({1, parts, vertical_parts(c)});
+      const RoofAxis axis{n == 0 ? &roofs[i].table : &roofs[i].second, &pool_[2 * i + n],
+                          vertical(c, used)};
+      ++roofs_made_;
+      if (parts == 0) {
+        *axis.to =
+            stand_on(std::make_shared<MotionTable>(tabulate_rigid(ground(motion, used))), axis.up);
+        continue;
+      }
+      AxesOnGround& on = grounds[{{motion.component, motion.azimuth_deg}, used}];
+      on.ground = ground(motion, used);
+      on.axes.push_back(axis);
+      on.buildings.push_back(building);
+      on.follow.push_back(follow[i]);
+    }
+  }
+  for (const auto& [key, on] : grounds) tabulate(on);
 }
 
 }  // namespace glissade

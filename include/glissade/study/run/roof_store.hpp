@@ -93,8 +93,6 @@ class RoofStore {
   void make(std::span<const std::size_t> buildings, std::span<CaseRoof> roofs);
   void make(std::span<const std::size_t> buildings, std::span<const RoofMotionOptions> follow,
             std::span<CaseRoof> roofs);
-  RoofTable stand_on(std::shared_ptr<MotionTable> horizontal,
-                     const std::shared_ptr<MotionTable>& up);
   Case case_on(std::size_t building) const;
 
   const Plan& plan_;
