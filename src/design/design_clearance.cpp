@@ -192,7 +192,7 @@ SeparationVerdict verdict_on(const ProjectSeparation& separation, const Project&
 
 SeparationVerdict verdict_on(const Project& project, const DesignClearance& design) {
   SeparationVerdict worst = of_standard(project, design).violated().empty()
-                                ? SeparationVerdict::not_stated
+                                ? SeparationVerdict::sufficient
                                 : SeparationVerdict::not_applicable;
   for (const ProjectSeparation& s : design.separations)
     worst = std::min(worst, verdict_on(s, project, design));

@@ -130,12 +130,12 @@ std::vector<DesignWarning> warnings_on(const Project& project) {
   add(site_7_16 && !project.site.target.is_mapped() && project.site.target.period_s.empty() &&
           project.site.target.hazard_analysis.empty(),
       "S_DS and S_D1 are stated without S_S, S_1 and site class: whether ASCE 7-16, 11.4.8 "
-      "requires a ground motion hazard analysis is not checked");
+      "requires a ground motion hazard analysis is not checked",
+      true);
   const std::string unchecked = unchecked_spectrum(project.site);
   add(!unchecked.empty(), unchecked, project.site.target.edition != AsceEdition::asce7_22);
   const std::string analysis = hazard_analysis_required(project.site.target);
-  add(!analysis.empty() && project.site.target.hazard_analysis.empty(),
-      analysis + ": state site.hazard_analysis", true);
+  add(!analysis.empty() && project.site.target.hazard_analysis.empty(), analysis, true);
   add(!project.of_roof && !project.site.states_tl && project.site.target.period_s.empty(),
       fmt::format("site.tl_s is not stated: T_L = {:g} s is assumed", project.site.target.tl_s));
   add(project.friction.mean < 2.0 * project.friction.std,
@@ -178,8 +178,10 @@ std::vector<DesignWarning> warnings_on(const Project& project, const Results& de
                                        const DesignClearance& design) {
   std::vector<DesignWarning> warnings;
   const auto add = [&](std::string text) { warnings.push_back({std::move(text)}); };
-  std::ranges::for_each(texts_of(demand.warnings), add);
-  std::ranges::move(warnings_on(project), std::back_inserter(warnings));
+  const std::vector<DesignWarning> of_project = warnings_on(project);
+  for (const std::string& text : texts_of(demand.warnings))
+    if (std::ranges::find(of_project, text, &DesignWarning::text) == of_project.end()) add(text);
+  std::ranges::copy(of_project, std::back_inserter(warnings));
   for (const DesignCheck& check : design.checks) {
     if (!check.is_met) warnings.push_back({not_met_text(check), true});
   }

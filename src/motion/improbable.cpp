@@ -110,7 +110,8 @@ std::string hazard_analysis_required(const DesignTarget& target) {
     if (needs_hazard_analysis(target, site))
       return fmt::format(
           "ASCE 7-16, 11.4.8, requires a ground motion hazard analysis of the "
-          "site, or an exception, for site class {} with S_S {:g} g and S_1 {:g} g",
+          "site, or an exception, for site class {} with S_S {:g} g and S_1 {:g} g: state "
+          "hazard_analysis",
           to_string(site), target.ss_g, target.s1_g);
   }
   return "";

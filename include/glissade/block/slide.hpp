@@ -37,7 +37,7 @@ struct Block {
   SlipDirections directions = SlipDirections::both;  ///< two axes: both
   double gravity_mps2 = standard_gravity_mps2;       ///< > 0
   FrictionLaw law = {};  ///< Coulomb's law, except in slide_coupled(), which accepts a
-                         ///< static_over_sliding, and on a building of two axes
+                         ///< static_over_sliding, and slide_on_building()
 
   /// Of the direction in which the surface falls.
   double fall_azimuth_rad() const {

@@ -8,7 +8,8 @@ namespace glissade {
 
 /// A vector in plan, in the axes of the slope.
 struct PlanVector {
-  double along_m = 0.0;   ///< positive in the direction in which the surface falls, flat: +x
+  double along_m = 0.0;   ///< positive in the direction in which the surface falls, or of the
+                          ///< azimuth on a flat roof
   double across_m = 0.0;  ///< positive at 90 degrees from that, from the first axis to the second
 };
 

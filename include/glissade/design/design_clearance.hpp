@@ -119,8 +119,8 @@ struct DesignWarning {
 };
 
 /// Whether an available separation is enough; of several the first of these that one of them has,
-/// but not_applicable also where none is stated.
-enum class SeparationVerdict { insufficient, not_applicable, open, sufficient, not_stated };
+/// or that the project has: not_applicable, where a condition of the standard is violated.
+enum class SeparationVerdict { insufficient, not_applicable, open, not_stated, sufficient };
 
 struct DesignClearance {
   SiteValues site;

@@ -141,7 +141,7 @@ struct TableOf : Table {
       column.with_interval = true;
       column.heading += column.kind == ColumnKind::length ? " [95 %, m]" : " [95 %]";
     }
-    cells.push_back(
+    cells_.push_back(
         [=](const Things&... things) { return cell_of<Found>(found(value, things...)); });
     return columns.emplace_back(std::move(column));
   }
@@ -149,7 +149,7 @@ struct TableOf : Table {
 
   void add(const Things&... things) {
     std::vector<Cell> row;
-    for (const auto& cell : cells) row.push_back(cell(things...));
+    for (const auto& cell : cells_) row.push_back(cell(things...));
     Table::add(std::move(row));
   }
   /// A row of each thing; or of each owner with each thing that it has.
@@ -162,7 +162,7 @@ struct TableOf : Table {
   }
 
  private:
-  std::vector<std::function<Cell(const Things&...)>> cells;
+  std::vector<std::function<Cell(const Things&...)>> cells_;
 
   static decltype(auto) found(const auto& value, const auto& first, const auto&... others) {
     if constexpr (std::is_invocable_v<decltype(value), decltype(first), decltype(others)...>)

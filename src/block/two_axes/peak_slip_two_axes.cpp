@@ -46,6 +46,7 @@ void TwoAxisLanes::slide(std::span<const TwoAxisScene> scenes, std::span<Buildin
   for (std::size_t k = 0; k < scenes.size(); ++k) {
     const TwoAxisScene& s = scenes[k];
     require_finite_scene(s.building, s.block, s.factors);
+    GLISSADE_EXPECTS(s.block.directions == SlipDirections::both);
     if (two_axes::fits_lanes(s, state_->ground))
       tasks[{two_axes::roof_of(s), two_axes::friction_of(s)}].push_back(k);
     else

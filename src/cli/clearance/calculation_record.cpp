@@ -53,8 +53,6 @@ void add_results(CalculationJson& json, const Project& project, const DesignClea
          {"least_m", s.required.least_m},
          {"required_m", s.required.value_m},
          {"available_m", s.available_m ? CalculationJson(*s.available_m) : CalculationJson()},
-         {"is_sufficient", s.available_m ? CalculationJson(*s.available_m >= s.required.value_m)
-                                         : CalculationJson()},
          {"verdict", to_string(verdict_on(s, project, design))}});
 }
 

@@ -226,8 +226,8 @@ void read_model(const TomlTable& table, ProjectBuilding& building) {
 ProjectBuilding read_building(const TomlTable& table, const Project& project) {
   if (project.of_roof) return read_building_below(table);
   ProjectBuilding building;
-  for (const char* key : {"system", "height_m"})
-    table.refuse_both("period_s", key, "give the period, or the system and the height");
+  table.refuse_both("period_s", table.has("system") ? "system" : "height_m",
+                    "give the period, or the system and the height");
   if (table.has("system")) {
     periods_of_system(table, project, building);
   } else {

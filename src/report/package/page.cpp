@@ -162,6 +162,7 @@ bool write_package(const CalculationPackage& package, const std::filesystem::pat
       record_displacements_table(package),
       demand_table(package),
       separations_table(package),
+      open_items_table(package),
       sensitivity_table(package),
       exceedance_table(package),
       compared_table(package),

@@ -26,8 +26,7 @@ Table sites_table(const SiteSheets& sheets) {
        text_column("folder", "Package")},
       {},
       {"Friction: mean - 2 std. Verdict: on the available separations that are stated; open: see "
-       "the "
-       "page of the site."}};
+       "the page of the site."}};
   for (const SiteSheet& site : sheets.sites)
     table.add({site.name, fixed(site.sds_g, 3, "g"), fixed(site.sd1_g, 3, "g"),
                fixed(site.friction, 3), length_cell(site.governing_m),

@@ -43,10 +43,6 @@ Column share_column(const char* stem, const std::string& heading) {
   return {stem, "", heading + " [95 %]", ColumnKind::share, "", true};
 }
 
-}  // namespace
-
-namespace {
-
 std::vector<std::string> warnings_that(bool are_open_items, const DesignClearance& design) {
   std::vector<DesignWarning> found = design.warnings;
   std::erase_if(found, [&](const DesignWarning& w) { return w.is_open_item != are_open_items; });
@@ -153,24 +149,34 @@ std::string verdict_sentence(const CalculationPackage& package) {
   const std::string others = not_stated.empty() ? ""
                                                 : fmt::format(" Not stated: what is available {}.",
                                                               fmt::join(not_stated, ", "));
+  const std::string violated = of_standard(package.project, package.design).violated(),
+                    not_applicable = "NOT APPLICABLE: " + violated + ". " + approval_sentence;
   switch (verdict_on(package.project, package.design)) {
     case SeparationVerdict::insufficient:
       return fmt::format("Available separations are NOT SUFFICIENT {}.", fmt::join(lacking, ", ")) +
-             others;
+             others + (violated.empty() ? "" : " " + not_applicable);
     case SeparationVerdict::not_applicable:
-      return fmt::format("NOT APPLICABLE: {}. {}",
-                         of_standard(package.project, package.design).violated(),
-                         approval_sentence);
+      return not_applicable + others;
     case SeparationVerdict::open:
-      return "OPEN: no available separation is below the required one, but the items listed here "
-             "are open." +
+      return "OPEN: no available separation is below the required one, but there are open items." +
              others;
-    case SeparationVerdict::sufficient:
-      return "The available separations are sufficient." + others;
     case SeparationVerdict::not_stated:
-      return "Available separations are not stated.";
+      return not_stated.size() == package.design.separations.size()
+                 ? "Available separations are not stated."
+                 : "The available separations that are stated are sufficient." + others;
+    case SeparationVerdict::sufficient:
+      return "The available separations are sufficient.";
   }
   return "";
+}
+
+Table open_items_table(const CalculationPackage& package) {
+  Table table{"open_items",
+              "Open items: before they are settled no separation is sufficient",
+              {text_column("item", "Open item")},
+              {}};
+  for (std::string& item : open_items(package.design)) table.add({std::move(item)});
+  return table;
 }
 
 const char* varied_of_building(const Project& project) {
@@ -315,7 +321,7 @@ Table separations_table(const CalculationPackage& package) {
     table.add({separation_letter(table.rows.size()), s.text(), fixed(s.required.factor, 1),
                length_cell_in_both(s.required.value_m), required_ft(s.required.value_m),
                known ? Cell(length_cell_in_both(*s.available_m)) : "not stated",
-               known ? verdict_text(s, package) : "-"});
+               verdict_text(s, package)});
   }
   table.notes.push_back(verdict_sentence(package));
   const Standard standard = package.project.standard;

@@ -37,6 +37,7 @@ Table demand_table(const CalculationPackage& package);
 /// Of a row of the table, in the sketch too: "A", "B" ... "Z", "A1".
 std::string separation_letter(std::size_t row);
 Table separations_table(const CalculationPackage& package);
+Table open_items_table(const CalculationPackage& package);
 Table sensitivity_table(const CalculationPackage& package);
 Table exceedance_table(const CalculationPackage& package);
 /// The governing displacement and what the available separations allow.

@@ -24,7 +24,8 @@ void UnderMotion::by_reference(const Batch& batch, std::size_t k) const {
     batch.peaks[k] = {on_building.slip,
                       scene.base_shear ? on_building.peak_base_shear : std::array{0.0, 0.0}};
   } catch (const NotConverged&) {
-    batch.peaks[k] = {{}, {}, true};
+    batch.peaks[k] = {};
+    batch.peaks[k].failed = true;
   }
 }
 

@@ -233,7 +233,8 @@ Figure vertical_figure(const Results& results) {
     view.places.push_back({condition_cell(grid, vertical, i), {static_cast<double>(i), name}});
   }
   return {"vertical",
-          "Mean displacement by vertical motion of the roof, on several buildings",
+          std::string("Mean displacement by vertical motion of the roof") +
+              (of_roof ? "" : ", on several buildings"),
           below_text(results, {vertical}),
           std::string(of_roof ? "None: no vertical motion. With: that of the suite. "
                               : "None: no vertical motion. Rigid: the roof moves vertically with "

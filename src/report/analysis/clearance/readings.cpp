@@ -18,9 +18,9 @@ using enum ConditionAxis;
 
 Condition shown(const Results& r) { return shown_condition(ConditionGrid(r)); }
 
-/// Of means, none where the motions are of the roof.
-const char* over_the_periods(const Results& r) {
-  return r.suites.front().of_roof ? "" : " over the periods";
+/// The motions of a roof have no building periods.
+std::string largest_mean(const Results& r) {
+  return r.suites.front().of_roof ? "mean" : "largest mean over the periods";
 }
 
 /// "T = 1 s".
@@ -100,10 +100,9 @@ std::string downhill_reading(const Results& r) {
     if (orientations_of(r, question).empty()) continue;
     const OrientationRange range = over_orientations(r, question, shown(r), Periods::largest);
     text += fmt::format(
-        " Where the roof falls {}, with a friction of {:g} downhill, the largest mean{} is {}, "
-        "from "
-        "{} to {} over the orientations.",
-        to_string(axis), ConditionGrid(r).case_at({}).friction_on(axis), over_the_periods(r),
+        " Where the roof falls {}, with a friction of {:g} downhill, the {} is {}, from {} to {} "
+        "over the orientations.",
+        to_string(axis), ConditionGrid(r).case_at({}).friction_on(axis), largest_mean(r),
         format_length(range.median), format_length(range.lowest), format_length(range.highest));
   }
   return text;
@@ -114,10 +113,10 @@ std::string orientation_reading(const Results& r) {
   const PerRecordBounds own = per_record_bounds(r, question, shown(r), Periods::largest);
   const std::vector<double> means = per_record_means(r, question, shown(r), Periods::largest);
   std::string text = fmt::format(
-      "With the orientation chosen record by record, the largest mean{} is from {} to {}; of "
+      "With the orientation chosen record by record, the {} is from {} to {}; of "
       "10,000 "
       "random choices 90 % give {} to {}.",
-      over_the_periods(r), format_length(own.lowest), format_length(own.highest),
+      largest_mean(r), format_length(own.lowest), format_length(own.highest),
       format_length(quantile_of(means, 0.05)), format_length(quantile_of(means, 0.95)));
   const StrongerAlong stronger = stronger_along(r, question, shown(r), Periods::largest);
   if (std::isfinite(stronger.as_recorded) && std::isfinite(stronger.reversed)) {
@@ -192,8 +191,8 @@ std::string slope_reading(const Results& r) {
     parts.push_back(
         fmt::format("{} on {}", format_length(range.median), slope_text(grid.value(slope, at))));
   }
-  return fmt::format("Largest mean{}: {}; {} times as much on the steepest as on the flattest.",
-                     over_the_periods(r), fmt::join(parts, ", "),
+  return fmt::format("{}: {}; {} times as much on the steepest as on the flattest.",
+                     capitalised(largest_mean(r)), fmt::join(parts, ", "),
                      format_number(steepest / flattest));
 }
 
@@ -217,10 +216,12 @@ std::string mce_reading(const Results& r) {
       fmt::format("Largest over the periods: {}. At {}: ",
                   both(weak.median, " (" + period_text(grid, governing) + ")", strongest.median),
                   period_text(grid, 0));
-  const std::string text = (of_roof ? "" : largest) + both(first.median, "", strong.median);
+  const std::string text =
+      (of_roof ? "The mean is " : largest) + both(first.median, "", strong.median);
   if (!(weak.median > 0.0)) return text + ".";
-  return text + fmt::format("; the latter is {} times the largest at {}.",
-                            format_number(strong.median / weak.median), low_name);
+  return text + fmt::format("; the latter is {} times {} at {}.",
+                            format_number(strong.median / weak.median),
+                            of_roof ? "that" : "the largest", low_name);
 }
 
 /// The largest mean over the periods for each place on an axis.
@@ -231,10 +232,11 @@ std::string axis_reading(const Results& r) {
   for (const Condition& at : shown_along(grid, axis)) {
     const OrientationRange range = over_orientations(r, {}, at, Periods::largest);
     parts.push_back(
-        fmt::format("{}: {}{}", label_of(grid, axis, at), range_text(r, range),
-                    at_period(grid, governing_period(r, {}, at, r.clearance->orientation))));
+        fmt::format("{}{} with {}", range_text(r, range),
+                    at_period(grid, governing_period(r, {}, at, r.clearance->orientation)),
+                    label_of(grid, axis, at)));
   }
-  return fmt::format("Largest mean{}. {}.", over_the_periods(r), fmt::join(parts, "; "));
+  return fmt::format("{}: {}.", capitalised(largest_mean(r)), fmt::join(parts, "; "));
 }
 
 template <ConditionAxis axis>
