@@ -72,8 +72,10 @@ void require_keys(const TomlTable& root, bool of_roof) {
     const TomlTable table = root.table(name);
     if (table.has(one) && !table.has(other)) require(name, other);
   };
-  if (!root.table("building").has("period_s"))  // else both are refused
-    together("building", "system", "height_m"), together("building", "height_m", "system");
+  if (!root.table("building").has("period_s")) {  // beside it both are refused
+    together("building", "system", "height_m");
+    together("building", "height_m", "system");
+  }
   together("building", "weight_kn", "array_weight_kn");
   together("building", "array_weight_kn", "weight_kn");
   if (!root.table("friction").has("file")) together("friction", "mu", "source");

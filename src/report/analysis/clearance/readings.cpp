@@ -113,9 +113,8 @@ std::string orientation_reading(const Results& r) {
   const PerRecordBounds own = per_record_bounds(r, question, shown(r), Periods::largest);
   const std::vector<double> means = per_record_means(r, question, shown(r), Periods::largest);
   std::string text = fmt::format(
-      "With the orientation chosen record by record, the {} is from {} to {}; of "
-      "10,000 "
-      "random choices 90 % give {} to {}.",
+      "With the orientation chosen record by record, the {} is from {} to {}; of 10,000 random "
+      "choices 90 % give {} to {}.",
       largest_mean(r), format_length(own.lowest), format_length(own.highest),
       format_length(quantile_of(means, 0.05)), format_length(quantile_of(means, 0.95)));
   const StrongerAlong stronger = stronger_along(r, question, shown(r), Periods::largest);
