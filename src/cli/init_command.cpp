@@ -143,18 +143,27 @@ std::string option_of(const std::string& what) {
   return "init";
 }
 
-/// Written only if it is read without an error. The target of a study, if it has one.
-std::optional<DesignTarget> write_checked(const InitOptions& o, const ExampleFile& example) {
+/// Written only if it is read without an error, and at once with its levels around the target of a
+/// study, if it has one, which is returned.
+std::optional<DesignTarget> write_checked(const InitOptions& o, ExampleFile& example) {
   std::optional<DesignTarget> target;
   write_file(o.file, [&](OutputFile& file, const fs::path& partial) {
-    file.write((o.is_project() ? "" : study_head) + example.text());
-    with_changed_problems([](Problem& problem) { problem.where = option_of(problem.what); },
-                          [&] {
-                            if (o.is_project())
-                              static_cast<void>(read_project(partial));
-                            else
-                              target = target_of(read_study(partial));
-                          });
+    const auto write = [&] {
+      const std::string text = (o.is_project() ? "" : study_head) + example.text();
+      file.resize(0);
+      file.write_at(0, text);
+      with_changed_problems([](Problem& problem) { problem.where = option_of(problem.what); },
+                            [&] {
+                              if (o.is_project())
+                                static_cast<void>(read_project(partial));
+                              else
+                                target = target_of(read_study(partial));
+                            });
+    };
+    write();
+    if (!target) return;
+    example.set_numbers("intensity", "levels", levels_around(TargetSpectrum(*target).sds_g()));
+    write();
   });
   return target;
 }
@@ -167,10 +176,6 @@ void init(InitOptions o) {
   check_output_file(o.file, "file", o.overwrite);
   ExampleFile file = o.is_project() ? project_file(o) : study_file(o);
   const std::optional<DesignTarget> target = write_checked(o, file);
-  if (target) {
-    file.set_numbers("intensity", "levels", levels_around(TargetSpectrum(*target).sds_g()));
-    write_checked(o, file);
-  }
   put("File    {}\nValues of the example, not yours yet:\n{}", o.file, file.of_example());
   if (!o.is_project() && !o.has_site())
     put("  {}\n",

@@ -23,6 +23,93 @@ inline std::string moved_project() {
                   "[sampling]\nsamples = 16\n[suite]\nfile = \"" GLISSADE_SOURCE_DIR "/suites/");
 }
 
+/// Two roofs: the second is steeper, at a stronger site, and has less room.
+inline std::string two_roofs() {
+  return R"([project]
+name = "campus"
+
+[[site]]
+name = "Roof A"
+edition = "asce7_16"
+sds_g = 0.8
+sd1_g = 0.4
+risk_category = "II"
+
+[[site]]
+name = "Roof B"
+address = "2 Side Street"
+edition = "asce7_16"
+ss_g = 1.5
+s1_g = 0.5
+site_class = "C"
+risk_category = "II"
+
+[site.roof]
+rise_in_12 = 0.5
+
+[site.clearances]
+open_edge_m = "3 ft"
+
+[building]
+period_s = 0.3
+mass_ratio = 0.05
+storeys = 1
+
+[roof]
+rise_in_12 = 0.25
+
+[friction]
+mu = { mean = 0.5, std = 0 }
+tests = 5
+source = "made up"
+
+[suite]
+file = ")" GLISSADE_SOURCE_DIR R"(/suites/synthetic_level0.toml"
+
+[sampling]
+samples = 2
+
+[clearances]
+open_edge_m = "30 ft"
+)";
+}
+
+/// Two sites that differ in S_D1 alone.
+inline std::string small_product() {
+  return R"([product]
+name = "racking"
+unit = "ft"
+round_up_m = "0.1 ft"
+
+[[target]]
+sds_g = 1.2
+sd1_g = 0.5
+
+[[target]]
+sds_g = 1.2
+sd1_g = 1.1
+
+[suite]
+file = ")" GLISSADE_SOURCE_DIR R"(/suites/synthetic_level2.toml"
+
+[model]
+axes = 1
+
+[building]
+period_s = [0.3, 0.35]
+
+[roof]
+slope_deg = [0, 2, 9]
+
+[friction]
+mu = [0.15, 0.3, 0.5]
+
+[hazard]
+k = 2.5
+design_life_years = 25
+)";
+}
+
 /// While it lives, commands find gnuplot alone: no package is printed, which takes seconds.
 class WithoutWeasyprint {
  public:

@@ -7,6 +7,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
+#include "cli/one_package.hpp"
 #include "cli/small_study.hpp"
 #include "cli/table_rows.hpp"
 #include "facts.hpp"
@@ -18,42 +19,6 @@ namespace {
 
 namespace fs = std::filesystem;
 using testing::HasSubstr;
-
-/// Two sites that differ in S_D1 alone.
-std::string small_product() {
-  return R"([product]
-name = "racking"
-unit = "ft"
-round_up_m = "0.1 ft"
-
-[[target]]
-sds_g = 1.2
-sd1_g = 0.5
-
-[[target]]
-sds_g = 1.2
-sd1_g = 1.1
-
-[suite]
-file = ")" GLISSADE_SOURCE_DIR R"(/suites/synthetic_level2.toml"
-
-[model]
-axes = 1
-
-[building]
-period_s = [0.3, 0.35]
-
-[roof]
-slope_deg = [0, 2, 9]
-
-[friction]
-mu = [0.15, 0.3, 0.5]
-
-[hazard]
-k = 2.5
-design_life_years = 25
-)";
-}
 
 class ProductSheet : public testing::Test {
  protected:

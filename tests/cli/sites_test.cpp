@@ -5,7 +5,7 @@
 #include <cstdlib>
 #include <nlohmann/json.hpp>
 
-#include "cli/child.hpp"
+#include "cli/one_package.hpp"
 #include "cli/small_study.hpp"
 #include "facts.hpp"
 #include "one_line.hpp"
@@ -14,57 +14,6 @@ namespace glissade::test {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// Two roofs: the second is steeper, at a stronger site, and has less room.
-std::string two_roofs() {
-  return R"([project]
-name = "campus"
-
-[[site]]
-name = "Roof A"
-edition = "asce7_16"
-sds_g = 0.8
-sd1_g = 0.4
-risk_category = "II"
-
-[[site]]
-name = "Roof B"
-address = "2 Side Street"
-edition = "asce7_16"
-ss_g = 1.5
-s1_g = 0.5
-site_class = "C"
-risk_category = "II"
-
-[site.roof]
-rise_in_12 = 0.5
-
-[site.clearances]
-open_edge_m = "3 ft"
-
-[building]
-period_s = 0.3
-mass_ratio = 0.05
-storeys = 1
-
-[roof]
-rise_in_12 = 0.25
-
-[friction]
-mu = { mean = 0.5, std = 0 }
-tests = 5
-source = "made up"
-
-[suite]
-file = ")" GLISSADE_SOURCE_DIR R"(/suites/synthetic_level0.toml"
-
-[sampling]
-samples = 2
-
-[clearances]
-open_edge_m = "30 ft"
-)";
-}
 
 /// Nothing is printed: of PATH gnuplot alone is left.
 class Sites : public testing::Test {

@@ -32,8 +32,9 @@ class Mpi : public testing::Test {
 /// One of two ranks.
 struct OneRank {
   int rank = 0;
-  std::vector<std::string> variables = {};  ///< "NAME=VALUE", beside faults.cpp
+  std::vector<std::string> variables = {};  ///< "NAME=VALUE", of faults.cpp or inject.cpp
   std::string folder = {};                  ///< where it starts; empty: here
+  bool calls_fail = false;                  ///< those of writing (inject.cpp)
 };
 
 /// On two ranks, of which one is in another place. Whoever waits for ever is killed, which is
@@ -45,11 +46,14 @@ Finished run_on_two(const OneRank& one, const std::vector<std::string>& argument
     command.insert(command.end(), {"-n", "1"});
     if (rank == one.rank) {
       if (!one.folder.empty()) command.insert(command.end(), {"-wdir", one.folder});
-      if (!one.variables.empty())
+      if (one.calls_fail)
+        command.insert(command.end(), {"-x", "FAULT_CALLS=open,write,pwrite,fsync,close,mkdir"});
+      else if (!one.variables.empty())
         command.insert(command.end(), {"-x", "LD_PRELOAD=" GLISSADE_FAULTS_LIBRARY});
       for (const std::string& variable : one.variables)
         command.insert(command.end(), {"-x", variable});
     }
+    if (rank == one.rank && one.calls_fail) command.emplace_back(GLISSADE_INJECT);
     command.emplace_back(GLISSADE_PROGRAM);
     command.insert(command.end(), arguments.begin(), arguments.end());
   }
@@ -234,11 +238,10 @@ TEST_F(Mpi, a_journal_that_fails_on_one_rank_ends_all_with_one_message_and_loses
   ASSERT_FALSE(alone.empty());
   for (const int rank : {0, 1}) {
     const std::string name = "journal/" + std::to_string(rank) + "-";
-    for (const char* fault : {"FAULT_FROM=1", "FAULT_FROM=5", "FAULT_CALLS=fsync"}) {
+    for (const char* fault : {"FAULT_FROM=1", "FAULT_FROM=5", "FAULT_AT=3"}) {
       SCOPED_TRACE(name + " " + fault);
-      std::vector<std::string> variables{"FAULT_IN=" + name, "FAULT_ERRNO=28", fault};
-      if (std::string(fault) == "FAULT_CALLS=fsync") variables.emplace_back("FAULT_FROM=1");
-      const Finished child = run_on_two({rank, variables}, {"run", study, "--out", out});
+      const std::vector<std::string> variables{"FAULT_IN=" + name, "FAULT_ERRNO=28", fault};
+      const Finished child = run_on_two({rank, variables, "", true}, {"run", study, "--out", out});
       expect_refused_once(child, name + "1.units: cannot be ");
       EXPECT_EQ(child.err.find("glissade: rank 1: ") != std::string::npos, rank == 1);
       EXPECT_THAT(child.err, testing::HasSubstr("No space left on device"));
@@ -259,8 +262,9 @@ TEST_F(Mpi, what_the_first_rank_cannot_write_ends_all_with_one_message) {
                            "out/tables", "out/figures", "out/report.html"}) {
     SCOPED_TRACE(file);
     expect_refused_once(
-        run_on_two({0, {std::string("FAULT_IN=") + file, "FAULT_ERRNO=28", "FAULT_FROM=1"}},
-                   {"run", study, "--out", out}),
+        run_on_two(
+            {0, {std::string("FAULT_IN=") + file, "FAULT_ERRNO=28", "FAULT_FROM=1"}, "", true},
+            {"run", study, "--out", out}),
         "No space left on device");
     std::filesystem::remove_all(out);
   }
