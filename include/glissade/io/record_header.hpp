@@ -21,6 +21,8 @@ struct RecordHeader {
   double epicentral_km = 0.0;
   double vs30_mps = 0.0;
   std::optional<bool> is_processed = std::nullopt;
+  std::string location = {};  ///< of a channel of a structure: "Roof, center", "FREEFIELD"
+  std::string channel = {};   ///< its number at the station: "14"
 };
 
 }  // namespace glissade

@@ -105,8 +105,9 @@ FoundComponent found_component(const FileToRead& file, const RecordFormat& forma
   found.header = component.header;
   found.header.direction = direction_of(component, found.file_name());
   for (std::string* text :
-       {&found.header.event, &found.header.station, &found.header.direction, &found.header.unit,
-        &found.header.event_id, &found.header.magnitude_kind})
+       {&found.header.event, &found.header.station, &found.header.direction,
+        &found.header.location, &found.header.channel, &found.header.unit, &found.header.event_id,
+        &found.header.magnitude_kind})
     *text = plain_line(*text);
   while (found.header.unit.ends_with('.')) found.header.unit.pop_back();
   found.dt_s = record.dt_s;

@@ -10,7 +10,6 @@
 #include <numbers>
 
 #include "glissade/motion/improbable.hpp"
-#include "records/record_units.hpp"
 
 namespace glissade {
 namespace {
@@ -55,6 +54,14 @@ void refuse_record(const std::string& where, const std::string& what,
 
 void refuse_record(const RecordText& file, const std::string& what, const std::string& suggestion) {
   refuse_record(file.path.string(), what, suggestion);
+}
+
+void refuse_spectrum(const std::string& where, const std::string& column) {
+  refuse_record(where,
+                fmt::format("the column {} is a period or a frequency, no time: a spectrum (or a "
+                            "table of modes), and no record",
+                            in_quotes(column)),
+                "give accelerations by time: Time (s), a (g)");
 }
 
 std::optional<double> fortran_number(std::string_view text) {
@@ -186,6 +193,30 @@ void add_pairs(const RecordText& file, std::size_t line, const std::vector<std::
   }
 }
 
+double step_of_rows(const RecordText& file, const TimedSamples& rows, const At2Header& stated,
+                    const RecordFileOptions& options, std::vector<std::string>& notes) {
+  const std::optional<double> wanted =
+      stated.dt_text.empty() ? options.dt_s
+                             : std::optional(at2_step(file.path, stated, options.dt_s));
+  const std::vector<double>& t = rows.time.times_s;
+  try {
+    const double dt_s = step_of(file.path, rows.time, wanted);
+    const double printed_s = t.size() > 1 ? t[1] - t[0] : dt_s;
+    if (std::abs(printed_s - dt_s) > 1e-6 * dt_s)
+      notes.push_back(
+          fmt::format("the step is {:.7g} s, that of its first and last time: between printed "
+                      "times it is {:.4g}",
+                      dt_s, printed_s));
+    return dt_s;
+  } catch (const InputError& error) {
+    if (std::ranges::any_of(rows.samples_mps2, [](double a) { return a < 0.0; })) throw;
+    Problem spectrum = error.problems().front();
+    spectrum.what += "; and no value is below 0: a spectrum, and no record";
+    spectrum.suggestion = "give accelerations by evenly spaced times";
+    throw InputError(spectrum);
+  }
+}
+
 double digitised_step_s(const RecordText& file, const TimedSamples& pairs,
                         const RecordFileOptions& options) {
   try {
@@ -302,6 +333,15 @@ double stated_unit(const RecordText& file, const std::string& text, std::size_t 
   return unit_of_record_mps2(file.path, {text, line}, options);
 }
 
+double stated_unit(const RecordText& file, const StatedUnit& unit, bool has_step,
+                   const RecordFileOptions& options) {
+  if (unit.text.empty() && !options.units && !options.units_if_not_stated && !has_step)
+    refuse_record(file, "states neither the units of its accelerations nor the time step",
+                  "give units as g, m/s2 or cm/s2, and the step with dt_s; or first lines \"# units: "
+                  "g\" and \"# DT = 0.01\"");
+  return stated_unit(file, unit.text, unit.line, options);
+}
+
 std::optional<FoundNumber> first_number(std::string_view text, std::size_t from) {
   constexpr std::string_view parts = "0123456789.+-";
   for (std::size_t at = text.find_first_of(parts, from); at < text.size();
@@ -356,6 +396,33 @@ std::string plain_direction(std::string_view direction) {
   return shortest_decimal(south ? (west ? 180.0 + a : 180.0 - a) : (west ? 360.0 - a : a));
 }
 
+ChannelLine channel_line(std::string_view line) {
+  const std::string lower = lower_case(line);
+  const auto behind = [&](std::string_view key) {
+    const std::size_t at = lower.find(key);
+    return at == std::string::npos ? std::string_view() : line.substr(at + key.size());
+  };
+  ChannelLine channel;
+  channel.location = single_blanks(behind("location:"));
+  const std::string_view own =
+      trimmed(line.substr(0, std::min({lower.find('('), lower.find("location:"), lower.size()})));
+  const std::size_t colon = own.rfind(':');
+  const bool is_numbered = colon != std::string_view::npos;
+  channel.name = single_blanks(own);
+  channel.direction = trimmed(own.substr(is_numbered ? colon + 1 : 0));
+  for (const std::string_view text :
+       {behind("(sta chn:"), own.substr(0, is_numbered ? colon : 0)})
+    if (const auto number = first_number(text); number && channel.number.empty())
+      channel.number = shortest_decimal(number->value);
+  return channel;
+}
+
+void take_channel(RecordHeader& header, const ChannelLine& channel) {
+  header.direction = plain_direction(channel.direction);
+  header.location = channel.location;
+  header.channel = channel.number;
+}
+
 void state_magnitude(RecordHeader& header, std::string_view line,
                      std::initializer_list<MagnitudeName> names) {
   const std::string lower = lower_case(line);
@@ -405,9 +472,9 @@ FileComponent file_component(const RecordText& file, std::string name, double dt
 FileComponent file_component(const RecordText& file, std::string name, double dt_s,
                              std::vector<double> samples_mps2, RecordHeader header) {
   FileComponent component = file_component(file, std::move(name), dt_s, std::move(samples_mps2));
-  component.record.source =
-      fmt::format("{}{}{}, {}", header.event, header.event.empty() ? "" : ", ", header.station,
-                  header.direction);
+  component.record.source = fmt::format(
+      "{}{}{}{}{}, {}", header.event, header.event.empty() ? "" : ", ", header.station,
+      header.location.empty() ? "" : ", ", header.location, header.direction);
   component.header = std::move(header);
   return component;
 }

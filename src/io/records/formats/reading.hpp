@@ -8,7 +8,9 @@
 #include <string_view>
 #include <vector>
 
+#include "records/at2_header.hpp"
 #include "records/formats/record_format.hpp"
+#include "records/record_units.hpp"
 #include "records/time_column.hpp"
 #include "text/scan.hpp"
 
@@ -26,6 +28,9 @@ inline constexpr const char* cut_short = "the file is cut short: get it again";
                                 const std::string& suggestion);
 [[noreturn]] void refuse_record(const RecordText& file, const std::string& what,
                                 const std::string& suggestion);
+
+/// InputError for a table of a spectrum or of modes, by the column that is no time.
+[[noreturn]] void refuse_spectrum(const std::string& where, const std::string& column);
 
 /// A number as Fortran, C or a spreadsheet writes it: also 1.5D-03. Blanks around it are dropped.
 std::optional<double> fortran_number(std::string_view text);
@@ -71,6 +76,10 @@ struct TimedSamples {
 /// Takes the fields of a line.
 void add_pairs(const RecordText& file, std::size_t line, const std::vector<std::string_view>& row,
                double unit_mps2, TimedSamples& pairs);
+/// Their step, or that of a header or of the options, with which they agree; a step other than those
+/// between printed times is a note. InputError also where the times are those of a spectrum.
+double step_of_rows(const RecordText& file, const TimedSamples& rows, const At2Header& stated,
+                    const RecordFileOptions& options, std::vector<std::string>& notes);
 /// InputError where the times are uneven, as most are.
 double digitised_step_s(const RecordText& file, const TimedSamples& pairs,
                         const RecordFileOptions& options);
@@ -119,6 +128,9 @@ double stated_step(const RecordText& file, const HeaderLine& stated,
 /// m/s2 of the unit a header states; the options must agree.
 double stated_unit(const RecordText& file, const std::string& text, std::size_t line,
                    const RecordFileOptions& options);
+/// The same; one InputError where neither the unit nor the step is stated.
+double stated_unit(const RecordText& file, const StatedUnit& unit, bool has_step,
+                   const RecordFileOptions& options);
 
 /// The first number in a text, and where the text goes on after it.
 struct FoundNumber {
@@ -142,6 +154,17 @@ void check_readable(const Record& record);
 /// "0" of "N-S", "280" of "N80W", "90" of "90 Deg" and "HNE", "UP" of "Up" and "U-D"; others as
 /// they are. For comparing the components of a record.
 std::string plain_direction(std::string_view direction);
+
+/// What a line states of a channel: "Chan  2:  Up  (Sta Chn: 14)  Location: Roof, center".
+struct ChannelLine {
+  std::string name;       ///< "Chan 2: Up"
+  std::string direction;  ///< "Up"
+  std::string number;     ///< at the station, "14"
+  std::string location;   ///< "Roof, center"
+};
+ChannelLine channel_line(std::string_view line);
+/// States direction, number and location.
+void take_channel(RecordHeader& header, const ChannelLine& channel);
 
 /// The magnitude behind one of the names, "Mw=7.0" or "MOMENT MAG= 7.1": the first that has one,
 /// with its kind.

@@ -43,7 +43,8 @@ double cosmos_step_s(const RecordText& file, LineReader& lines) {
 
 /// What the lines above a block state.
 struct CosmosChannel {
-  std::string name, station, kind;
+  ChannelLine line;
+  std::string station, kind;
   RecordHeader header;  ///< its event and distance
   std::optional<double> event_latitude_deg, event_longitude_deg;
   double dt_s = 0.0;
@@ -82,7 +83,7 @@ void read_cosmos_line(const RecordText& file, LineReader& lines, CosmosChannel& 
   } else if (line.starts_with("Statn No")) {
     channel.station = trimmed(line);
   } else if (line.starts_with("Sta Cha")) {
-    channel.name = single_blanks(line.substr(4, line.find('(', 4) - 4));
+    channel.line = channel_line(line.substr(4));
   } else if (line.find("Real-header values follow") != std::string_view::npos) {
     channel.dt_s = cosmos_step_s(file, lines);
     channel.step_line = lines.number();
@@ -98,16 +99,15 @@ FileComponent cosmos_component(const RecordText& file, LineReader& lines,
                                   channel.dt_s, options);
   const std::size_t count =
       stated_count(file, {"the count of values", line.substr(0, line.find("pts")), lines.number()});
-  const std::string direction(trimmed(channel.name.substr(channel.name.rfind(':') + 1)));
   RecordHeader header = channel.header;
   header.station = channel.station;
-  header.direction = plain_direction(direction);
+  take_channel(header, channel.line);
   header.unit = unit;
   header.is_processed = channel.kind.starts_with("Corrected");
   FileComponent component = file_component(
-      file, channel.name, dt_s, read_block(file, lines, {count, field_width(line), unit_mps2}),
+      file, channel.line.name, dt_s, read_block(file, lines, {count, field_width(line), unit_mps2}),
       std::move(header));
-  component.direction = direction;
+  component.direction = channel.line.direction;
   if (!channel.kind.starts_with("Corrected"))
     component.record.notes.push_back("COSMOS, \"" + channel.kind + "\": not corrected");
   return component;

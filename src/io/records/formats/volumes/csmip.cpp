@@ -68,7 +68,7 @@ std::size_t csmip_width(LineReader lines) {
 }
 
 struct CsmipChannel {
-  std::string name;
+  ChannelLine line;
   RecordHeader stated;
   bool corrected = false;
 };
@@ -85,9 +85,9 @@ void read_csmip_line(std::string_view line, const std::string& lower, CsmipChann
             lower.find("earthquake") != std::string::npos))
     stated.event = single_blanks(line.substr(0, text_width));
   else if (lower.starts_with("chan"))
-    channel.name = single_blanks(line);
+    channel.line = channel_line(line);
   else if (lower.starts_with("comp "))
-    channel.name = single_blanks(line.substr(5, 12));
+    channel.line = channel_line(line.substr(5, 12));
   else if (lower.starts_with("hypocenter") || lower.starts_with("magnitude"))
     state_magnitude(stated, line, {{"mw", "Mw"}, {"ms", "Ms"}, {"ml", "ML"}, {"magnitude", "M"}});
   else if (lower.starts_with("peak acceleration") && lower.find("cms/sec/sec") != lower.npos)
@@ -107,12 +107,11 @@ FileComponent csmip_component(const RecordText& file, LineReader& lines, const s
   const std::size_t count =
       stated_count(file, {"the count of points", lower.substr(0, lower.find("points")), line});
   const std::size_t width = stated_width > 0 ? stated_width : csmip_width(lines);
-  const std::string direction(trimmed(channel.name.substr(channel.name.find(':') + 1)));
-  stated.direction = plain_direction(direction);
+  take_channel(stated, channel.line);
   FileComponent component =
-      file_component(file, channel.name, dt_s, read_block(file, lines, {count, width, unit_mps2}),
-                     std::move(stated));
-  component.direction = direction;
+      file_component(file, channel.line.name, dt_s,
+                     read_block(file, lines, {count, width, unit_mps2}), std::move(stated));
+  component.direction = channel.line.direction;
   if (!channel.corrected) component.record.notes.emplace_back("CSMIP or USGS V1: not corrected");
   return component;
 }

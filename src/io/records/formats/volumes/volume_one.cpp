@@ -48,9 +48,9 @@ std::optional<VolumeOneHeader> volume_one_header(const RecordText& file, LineRea
     if (line.starts_with("COMP")) {
       header.name = std::string(trimmed(line.substr(4, 12)));
     } else if (line.starts_with("CHAN")) {
-      // CHAN  1: L        (STA CHN:  1)
-      const std::string_view name = line.substr(std::min(line.find(':') + 1, line.size()));
-      header.name = std::string(trimmed(name.substr(0, name.find('('))));
+      const ChannelLine channel = channel_line(line);
+      header.name = channel.direction;
+      take_channel(header.stated, channel);
     } else if (const std::size_t at = line.find("(ORIGIN: "); at != std::string_view::npos) {
       const std::string_view time = line.substr(at + 9, line.rfind(')') - at - 9);
       // That of a clock that was not set.
