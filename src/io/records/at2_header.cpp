@@ -4,10 +4,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <cmath>
 
 #include "glissade/core/printable.hpp"
+#include "records/formats/reading.hpp"
 #include "records/record_units.hpp"
 #include "records/time_column.hpp"
 #include "text/scan.hpp"
@@ -18,12 +20,13 @@ namespace {
 constexpr std::size_t longest_header = 100;        // lines
 constexpr std::size_t longest_header_line = 1000;  // characters
 
+constexpr std::string_view word_separators = " \t=,;:()[]_";
+
 /// The first word at or after `begin`, without the `=` before it and the punctuation around it.
 std::string_view word_at(std::string_view line, std::size_t begin) {
-  constexpr std::string_view separators = " \t=,;:()[]_";
-  begin = line.find_first_not_of(separators, begin);
+  begin = line.find_first_not_of(word_separators, begin);
   if (begin == std::string_view::npos) return {};
-  const std::size_t end = line.find_first_of(separators, begin);
+  const std::size_t end = line.find_first_of(word_separators, begin);
   return line.substr(begin, end == std::string_view::npos ? end : end - begin);
 }
 
@@ -34,64 +37,133 @@ std::optional<std::uint64_t> parse_count(std::string_view text) {
   return value;
 }
 
-/// Where the word DT stands (not as a part of another word).
-std::size_t find_dt(const std::string& lower) {
-  for (std::size_t at = lower.find("dt"); at != std::string::npos; at = lower.find("dt", at + 1)) {
-    const auto is_letter = [&](std::size_t i) {
-      return i < lower.size() && lower[i] >= 'a' && lower[i] <= 'z';
-    };
-    if ((at == 0 || !is_letter(at - 1)) && !is_letter(at + 2)) return at;
-  }
-  return std::string::npos;
+bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
+
+/// Where `name` ends, which begins a word of the line.
+std::size_t end_of_name(const std::string& lower, std::string_view name) {
+  std::size_t at = lower.find(name);
+  while (at != std::string::npos && at > 0 && is_letter(lower[at - 1]))
+    at = lower.find(name, at + 1);
+  return at == std::string::npos ? at : at + name.size();
 }
 
-/// The step that `word`, a part of the line, states: in seconds, or in ms where that follows it.
-std::optional<double> step_in(std::string_view line, std::string_view word) {
-  std::optional<double> step = parse_number(word);
-  const auto end = static_cast<std::size_t>(word.data() - line.data()) + word.size();
-  const std::string unit = lower_case(word_at(line, end));
-  if (step && (unit == "ms" || unit == "msec" || unit == "milliseconds")) *step *= 1e-3;
-  return step;
+/// How text files name the step, or its inverse.
+struct StepName {
+  std::string_view name;
+  bool is_rate = false;
+};
+constexpr std::array step_names = {StepName{"dt"},
+                                   StepName{"delta t"},
+                                   StepName{"delta_t"},
+                                   StepName{"delta"},
+                                   StepName{"time step"},
+                                   StepName{"timestep"},
+                                   StepName{"time_step"},
+                                   StepName{"time increment"},
+                                   StepName{"sampling interval"},
+                                   StepName{"sample interval"},
+                                   StepName{"sampling period"},
+                                   StepName{"sampling step"},
+                                   StepName{"sampling rate", true},
+                                   StepName{"sampling frequency", true},
+                                   StepName{"sampling freq", true},
+                                   StepName{"sample rate", true}};
+
+constexpr double longest_delta_s = 1.0;  ///< others are distances
+
+/// The step that `text` behind one of the names states: "= 10 ms", " (s): 0.01", " 100 Hz". Other
+/// names than DT are also words: they need = or : or a unit ("Delta, 262" is a station).
+void read_step(std::string_view text, const StepName& name, std::size_t line, At2Header& header) {
+  const std::size_t begin = text.find_first_of("0123456789.+-");
+  const auto found = first_number(text, begin);
+  const bool is_whole_name = !text.empty() && word_separators.find(text.front()) != text.npos;
+  if (!found || !is_whole_name) return;
+  const std::string before = lower_case(word_at(text.substr(0, begin), 0)),
+                    unit = before.empty() ? lower_case(word_at(text, found->end)) : before;
+  const HeaderUnit meaning = header_unit(unit);
+  const bool is_rate = name.is_rate || meaning.kind == UnitKind::frequency,
+             has_unit = meaning.kind == UnitKind::time || meaning.kind == UnitKind::frequency,
+             has_mark = text.substr(0, begin).find_first_of("=:") != std::string_view::npos;
+  if ((!before.empty() && !has_unit) || (name.name != "dt" && !has_unit && !has_mark)) return;
+  const double dt_s = is_rate ? 1.0 / found->value
+                              : (meaning.kind == UnitKind::time ? meaning.si : 1.0) * found->value;
+  if (name.name == "delta" && dt_s > longest_delta_s) return;
+  constexpr double rounding = 0.02;
+  if (header.dt_s && !(std::abs(*header.dt_s - dt_s) <= rounding * dt_s))
+    header.other_dt_text = header.dt_text;
+  const std::string_view number = trimmed(text.substr(begin, found->end - begin));
+  header.dt_text = dt_s == found->value ? std::string(number) : shortest_decimal(dt_s);
+  header.dt_s = dt_s;
+  header.dt_line = line;
 }
 
-void read_counts(std::string_view line, const std::string& lower, std::size_t npts_at,
-                 At2Header& header) {
-  const std::string_view first = word_at(line, 0);
-  std::string_view npts, dt;
-  if (npts_at > 0 && parse_number(first)) {  // 7997 0.0050 NPTS, DT
-    npts = first;
-    const auto rest = static_cast<std::size_t>(first.data() - line.data()) + first.size();
-    dt = word_at(line.substr(0, npts_at), rest);
-  } else {
-    npts = word_at(line, npts_at + 4);
-    const std::size_t dt_at = find_dt(lower);
-    if (dt_at != std::string::npos) dt = word_at(line, dt_at + 2);
+bool read_npts_and_step(std::string_view line, const std::string& lower, std::size_t number,
+                        At2Header& header) {
+  const std::size_t npts_end = end_of_name(lower, "npts");
+  bool is_stated = false;
+  if (npts_end != std::string::npos) {
+    const std::string_view first = word_at(line, 0);
+    const bool is_before = npts_end > 4 && parse_count(first);  // 7997 0.0050 NPTS, DT
+    header.npts = parse_count(is_before ? first : word_at(line, npts_end));
+    header.npts_line = number;
+    if (is_before) {
+      const auto rest = static_cast<std::size_t>(first.data() - line.data()) + first.size();
+      read_step(line.substr(rest, npts_end - 4 - rest), {"dt"}, number, header);
+      return true;
+    }
+    is_stated = true;
   }
-  header.npts = parse_count(npts);
-  if (dt.empty()) return;  // a line above may have stated it
-  header.dt_text = dt;
-  header.dt_s = step_in(line, dt);
+  for (const StepName& step : step_names) {
+    const std::size_t end = end_of_name(lower, step.name);
+    if (end == std::string::npos) continue;
+    const std::size_t line_before = header.dt_line;
+    read_step(line.substr(end), step, number, header);
+    if (header.dt_line != line_before) return true;
+  }
+  return is_stated;
+}
+
+/// The unit behind "units of", "unit:", "UNIT  =", "units are"; "" where the line names none.
+std::string unit_by_name(const std::string& lower) {
+  std::size_t end = end_of_name(lower, "unit");
+  if (end == std::string::npos) return {};
+  if (end < lower.size() && lower[end] == 's') ++end;
+  const std::size_t at = std::min(lower.find_first_not_of(" \t", end), lower.size());
+  std::string_view rest = std::string_view(lower).substr(at);
+  bool is_stated = rest.starts_with(':') || rest.starts_with('=');
+  for (const std::string_view verb : {"of ", "are ", "is "}) {
+    if (!rest.starts_with(verb)) continue;
+    rest.remove_prefix(verb.size());
+    is_stated = true;
+  }
+  std::string unit(is_stated ? word_at(rest, 0) : std::string_view());
+  while (unit.ends_with('.')) unit.pop_back();
+  return unit;
+}
+
+/// Two lines of a file may not state different steps.
+void check_one_step(const std::filesystem::path& file, const At2Header& header) {
+  if (header.other_dt_text.empty()) return;
+  throw InputError({place(file, header.dt_line),
+                    fmt::format("states two steps: {} s, and {} s in a line above it",
+                                header.dt_text, header.other_dt_text),
+                    "correct the line that is wrong", ""});
 }
 
 }  // namespace
 
 std::string units_in_header_line(std::string_view line) {
-  const std::string lower = lower_case(line.substr(0, longest_header_line));
-  const auto after = [&](std::string_view phrase) -> std::string {
-    const std::size_t at = lower.find(phrase);
-    if (at == std::string::npos) return {};
-    std::string unit(word_at(lower, at + phrase.size()));
-    while (unit.ends_with('.')) unit.pop_back();
-    return unit;
-  };
-  for (const std::string_view phrase :
-       {"units of ", "units are ", "units: ", "units = ", "units="}) {
-    if (std::string unit = after(phrase); !unit.empty()) return unit;
-  }
+  line = line.substr(0, longest_header_line);
+  const std::string lower = lower_case(line);
+  if (std::string unit = unit_by_name(lower); !unit.empty()) return unit;
   for (const std::string_view quantity : {"acceleration", "velocity", "displacement"}) {
     const std::size_t at = lower.find(quantity);
     if (at == std::string::npos) continue;
-    if (std::string unit = after(" in "); !unit.empty()) return unit;
+    if (const std::size_t in = lower.find(" in "); in != std::string::npos) {
+      std::string unit(word_at(lower, in + 4));
+      while (unit.ends_with('.')) unit.pop_back();
+      if (!unit.empty()) return unit;
+    }
     // A heading of columns: acceleration_g, acceleration (m/s2).
     std::string unit(word_at(lower, at + quantity.size()));
     const UnitKind kind = header_unit(unit).kind;
@@ -107,29 +179,17 @@ bool read_header_line(std::string_view line, std::size_t number, At2Header& head
     header.units = units;
     header.units_line = number;
   }
-  const std::size_t npts_at = lower.find("npts");
-  if (npts_at == std::string::npos) {
-    const std::size_t dt_at = trimmed(line).starts_with('#') ? find_dt(lower) : std::string::npos;
-    const std::string_view word =
-        dt_at == std::string::npos ? std::string_view() : word_at(line, dt_at + 2);
-    if (const std::optional<double> dt_s = word.empty() ? std::nullopt : step_in(line, word)) {
-      header.dt_text = word;
-      header.dt_s = dt_s;
-      header.lines = number;
-    }
-    return false;
-  }
-  header.lines = number;
-  read_counts(line, lower, npts_at, header);
-  return true;
+  const bool has_counts = read_npts_and_step(line, lower, number, header);
+  return has_counts || !unit_by_name(lower).empty();
 }
 
 double at2_step(const std::filesystem::path& file, const At2Header& header,
                 const std::optional<double>& wanted) {
-  const std::string where = place(file, header.lines);
   if (!wanted && header.dt_text.empty())
-    throw InputError({where, "the header has NPTS but no DT", "give the step with dt_s", ""});
-  return agreed_step(where, header.dt_text, header.dt_s, wanted);
+    throw InputError({place(file, header.npts_line), "the header has NPTS but no DT",
+                      "give the step with dt_s", ""});
+  check_one_step(file, header);
+  return agreed_step(place(file, header.dt_line), header.dt_text, header.dt_s, wanted);
 }
 
 void check_at2_count(const std::filesystem::path& file, const At2Header& header,
@@ -138,7 +198,7 @@ void check_at2_count(const std::filesystem::path& file, const At2Header& header,
   const std::string stated = header.npts ? std::to_string(*header.npts) : "no whole number";
   const bool is_one_off = header.npts && (*header.npts == found + 1 || *header.npts + 1 == found);
   throw InputError(
-      {place(file, header.lines),
+      {place(file, header.npts_line),
        "NPTS is " + stated + ", the file contains " + std::to_string(found) + " values",
        is_one_off ? fmt::format("one off: where the file is whole, correct NPTS to {} there", found)
                   : "the file is cut short or its header is wrong: get it again",
@@ -157,10 +217,13 @@ std::optional<At2Header> find_at2_header(std::string_view text) {
       header.title = trimmed(reader.line().substr(0, longest_header_line));
       if (is_nga && printable_name(header.title) == header.title) header.source = header.title;
     }
-    const bool has_count = read_header_line(reader.line(), reader.number(), header);
-    if (has_count && !trimmed(reader.line()).starts_with('#')) return header;
+    const std::string_view line = reader.line();
+    if (header.lines > 0 && line.find_first_of(":=") == std::string_view::npos) break;
+    read_header_line(line, reader.number(), header);
+    const bool has_npts = header.npts_line == reader.number() && !trimmed(line).starts_with('#');
+    if (has_npts || header.lines > 0) header.lines = reader.number();
   }
-  return std::nullopt;
+  return header.lines > 0 ? std::optional(header) : std::nullopt;
 }
 
 }  // namespace glissade

@@ -43,6 +43,7 @@ constexpr std::array known_units = {KnownUnit{"g", UnitKind::acceleration, g_mps
                                     KnownUnit{"gals", UnitKind::acceleration, 0.01},
                                     KnownUnit{"s", UnitKind::time, 1.0},
                                     KnownUnit{"ms", UnitKind::time, 0.001},
+                                    KnownUnit{"hz", UnitKind::frequency, 1.0},
                                     KnownUnit{"counts", UnitKind::counts, 1.0},
                                     KnownUnit{"count", UnitKind::counts, 1.0},
                                     KnownUnit{"volts", UnitKind::counts, 1.0},
@@ -146,6 +147,7 @@ double unit_of_record_mps2(const std::filesystem::path& file, const StatedUnit& 
     case UnitKind::none:
       break;
     case UnitKind::time:
+    case UnitKind::frequency:
     case UnitKind::label:
     case UnitKind::unknown:
       if (!options.units)

@@ -9,7 +9,17 @@
 
 namespace glissade {
 
-enum class UnitKind { none, acceleration, velocity, displacement, time, counts, label, unknown };
+enum class UnitKind {
+  none,
+  acceleration,
+  velocity,
+  displacement,
+  time,
+  frequency,
+  counts,
+  label,
+  unknown
+};
 
 /// A unit as a header writes it.
 struct HeaderUnit {

@@ -100,7 +100,11 @@ double step_of(const std::filesystem::path& file, const TimeColumn& column,
   }
   const auto intervals = static_cast<double>(t.size() - 1);
   const double mean_s = (t.back() - t.front()) / intervals;
-  check_step(place(file, column.lines.back()), shortest_decimal(mean_s), mean_s);
+  if (!(mean_s > 0.0) || !std::isfinite(mean_s))
+    throw InputError({place(file, column.lines.back()),
+                      fmt::format("the column of times goes from {:g} to {:g}: it is no time",
+                                  t.front(), t.back()),
+                      "give time and acceleration, the time increasing", ""});
   const double uncertainty_s = column.resolution_s / intervals + 1e-9 * mean_s;
   const bool is_as_wanted = wanted && std::abs(*wanted - mean_s) <= uncertainty_s;
   const double dt_s = is_as_wanted ? *wanted : shortest_within(mean_s, uncertainty_s);
@@ -111,18 +115,6 @@ double step_of(const std::filesystem::path& file, const TimeColumn& column,
                           shortest_decimal(*wanted) + " s",
                       "leave dt_s out, or correct the file", ""});
   }
-  return dt_s;
-}
-
-double noted_step(const std::filesystem::path& file, const TimeColumn& column,
-                  const std::optional<double>& wanted, std::vector<std::string>& notes) {
-  const double dt_s = step_of(file, column, wanted);
-  const std::vector<double>& t = column.times_s;
-  const double printed_s = t.size() > 1 ? t[1] - t[0] : dt_s;
-  if (std::abs(printed_s - dt_s) > 1e-6 * dt_s)
-    notes.push_back(fmt::format(
-        "the step is {:.7g} s, that of its first and last time: between printed times it is {:.4g}",
-        dt_s, printed_s));
   return dt_s;
 }
 

@@ -34,8 +34,4 @@ struct TimeColumn {
 double step_of(const std::filesystem::path& file, const TimeColumn& column,
                const std::optional<double>& wanted);
 
-/// The same; a step other than those between printed times is a note.
-double noted_step(const std::filesystem::path& file, const TimeColumn& column,
-                  const std::optional<double>& wanted, std::vector<std::string>& notes);
-
 }  // namespace glissade

@@ -7,6 +7,7 @@
 #include "glissade/core/units.hpp"
 #include "glissade/io/record_file.hpp"
 #include "problems.hpp"
+#include "records/formats/record_format.hpp"
 #include "temporary_folder.hpp"
 
 namespace glissade {
@@ -116,6 +117,36 @@ TEST(record_formats, each_gives_the_samples_that_its_file_was_written_from) {
       ADD_FAILURE() << sample.file << "#" << sample.component << ": " << error.what();
     }
   }
+}
+
+/// What the header of each component states.
+std::vector<RecordHeader> headers_of(const fs::path& file, const RecordFileOptions& options = {}) {
+  const RecordText text = record_text(file, read_text_file(file));
+  std::vector<RecordHeader> headers;
+  for (const FileComponent& component : format_of(text).read(text, options))
+    headers.push_back(component.header);
+  return headers;
+}
+
+// As CSMIP, CESMD and COSMOS write the channels of a structure.
+TEST(record_formats, channels_of_a_structure_have_direction_number_and_location) {
+  const auto stated = [](const std::string& file) {
+    std::vector<std::string> channels;
+    for (const RecordHeader& h : headers_of(corpus / file))
+      channels.push_back(h.channel + "|" + h.direction + "|" + h.location);
+    return channels;
+  };
+  EXPECT_THAT(stated("csmip.v2"),
+              ElementsAre("14|360|DECK: MIDDLE OF SPAN, W. EDGE", "2|UP|Roof, center"));
+  EXPECT_THAT(stated("cosmos.v2"), ElementsAre("1|340|", "2|90|Basement NW corner"));
+  EXPECT_THAT(stated("renadic.v1"), ElementsAre("1|L|", "2|UP|", "3|T|"));
+}
+
+TEST(record_formats, components_of_two_locations_of_a_structure_are_named) {
+  const TimedRecord deck{read_sample({"csmip.v2", "Chan 1: 360 Deg"}), 0.0},
+      roof{read_sample({"csmip.v2", "Up"}), 0.0};
+  EXPECT_THAT(source_contradictions(deck, {}, roof),
+              ElementsAre(test::states("locations", "MIDDLE OF SPAN", "Roof, center")));
 }
 
 TEST(record_formats, miniseed_is_read_with_a_stated_gain) {
@@ -251,6 +282,73 @@ TEST(record_formats, an_address_is_a_file_and_a_component_unless_it_is_a_file) {
   EXPECT_EQ(split_address("floor.csv#U1").file, "floor.csv");
   EXPECT_EQ(split_address("floor.csv").component, "");
   EXPECT_EQ(split_address(file + "#x.csv#U1").component, "x.csv#U1");
+}
+
+// By its heading, or by times that are none.
+TEST(record_formats, a_spectrum_or_a_table_of_modes_is_refused_as_what_it_is) {
+  const TemporaryFolder folder;
+  const auto read = [&](const std::string& text) {
+    read_record(folder.write("sa", text), column_in_mps2);
+  };
+  const std::string rows = "0.05,0.1\n0.10,0.2\n0.15,0.3\n",
+                    three = "0.05\t0.1\t1\n0.10\t0.2\t1\n0.15\t0.3\t1\n";
+  expect_refusals(
+      read, {{"period_s,sa_g\n" + rows, "sa:2", {"'period_s'", "spectrum"}},
+             {"T,PSA (g)\n" + rows, "sa:2", {"'T'", "spectrum"}},
+             {"Frequency (Hz),Amplitude (g)\n" + rows, "sa:2", {"'Frequency (Hz)'", "spectrum"}},
+             {"Hz,acc_g\n" + rows, "sa:2", {"'Hz'", "spectrum"}},
+             {"# Period (s), Sa (g)\n" + rows, "sa:1", {"Period (s)", "spectrum"}},
+             {"Inelastic spectrum\n\n Period [sec]\t Acc./Elastic\t PS-Acc./Elastic\n" + three,
+              "sa:4",
+              {"'Period [sec]'", "spectrum"}},
+             {"Mode,Period,UX,UY\n1,.5,.6,0\n2,.2,.2,.1\n", "sa:2", {"'Period'", "modes"}},
+             {"0.01 0.1\n0.02 0.2\n0.05 0.3\n0.1 0.1\n", "sa:2", {"0.01 to 0.02", "spectrum"}},
+             {"2 0.1\n1 0.2\n0.5 0.3\n", "sa:3", {"from 2 to 0.5", "spectrum"}},
+             {"0.01 0.1\n0.02 -0.2\n0.05 0.3\n", "sa:2", {"0.01 to 0.02", "resample"}}});
+  const fs::path rate = folder.write("sa", "# Sampling frequency (Hz), 100\n0,0.1\n0.01,0.2\n");
+  EXPECT_EQ(read_record(rate, in_mps2).dt_s, 0.01);
+}
+
+// As people and programs write them above one column and two.
+TEST(record_formats, lines_above_the_values_state_step_count_and_units) {
+  const TemporaryFolder folder;
+  for (const char* head :
+       {"npts: 3\ndt: 0.005\nunits: g\n", "npts: 3\ndelta: 0.005\nunits: g\n",
+        "Sampling rate: 200 Hz\nUnits: g\n", "Time step: 0.005 s\nAcceleration (g)\n",
+        " SAMPLING RATE= 200Hz,\n UNIT  = g(9.8 m/s/s),\n",
+        "# Sampling interval (ms) = 5\n# units: g\n", "dt=0.005\nacc: g\n"}) {
+    for (const char* rows : {"1\n2\n-3\n", "0.000 1\n0.005 2\n0.010 -3\n"}) {
+      if (std::string_view(head).ends_with("acc: g\n") && rows[1] == '.') continue;
+      const fs::path file = folder.write("a.txt", head + std::string(rows));
+      try {
+        const Record record = read_record(file);
+        EXPECT_NEAR(record.dt_s, 0.005, 1e-15) << head << rows;
+        EXPECT_NEAR(record.acceleration_mps2.back(), -3 * standard_gravity_mps2, 1e-12) << head;
+      } catch (const InputError& error) {
+        ADD_FAILURE() << head << rows << error.what();
+      }
+      EXPECT_THAT(message_of([&] { read_record(file, {.dt_s = 0.01, .units = {}}); }),
+                  test::states("0.005", "dt_s"))
+          << head << rows;
+    }
+  }
+  const auto read = [&](const std::string& text) { read_record(folder.write("a", text)); };
+  expect_refusals(read,
+                  {{"dt = 0.01\nSampling rate: 200 Hz\nunits: g\n1\n2\n", "a:2", {"two steps"}},
+                   {"npts: 4\ndt: 0.005\nunits: g\n1\n2\n3\n", "a:1", {"4", "3"}}});
+  // A station of PEER, and a name of a file.
+  const fs::path delta = folder.write("a",
+                                      "Imperial Valley, Delta, 262\ntest_dt0p01\nAcceleration in "
+                                      "g\nNPTS= 2, DT= .02 SEC\n1 2\n");
+  EXPECT_EQ(read_record(delta).dt_s, 0.02);
+}
+
+TEST(record_formats, units_and_step_that_are_both_missing_are_one_message) {
+  const TemporaryFolder folder;
+  for (const char* text : {"1\n2\n", "point\n1\n2\n", "EVENT\nNPTS= 2\n1 2\n"})
+    EXPECT_THAT(problems_of([&] { read_record(folder.write("a", text)); }),
+                one_problem("a", "units", "dt_s"))
+        << text;
 }
 
 // Files are untrusted: whatever they were cut to, they are read or refused.

@@ -336,9 +336,10 @@ double stated_unit(const RecordText& file, const std::string& text, std::size_t 
 double stated_unit(const RecordText& file, const StatedUnit& unit, bool has_step,
                    const RecordFileOptions& options) {
   if (unit.text.empty() && !options.units && !options.units_if_not_stated && !has_step)
-    refuse_record(file, "states neither the units of its accelerations nor the time step",
-                  "give units as g, m/s2 or cm/s2, and the step with dt_s; or first lines \"# units: "
-                  "g\" and \"# DT = 0.01\"");
+    refuse_record(
+        file, "states neither the units of its accelerations nor the time step",
+        "give units as g, m/s2 or cm/s2, and the step with dt_s; or first lines \"# units: "
+        "g\" and \"# DT = 0.01\"");
   return stated_unit(file, unit.text, unit.line, options);
 }
 
@@ -410,8 +411,7 @@ ChannelLine channel_line(std::string_view line) {
   const bool is_numbered = colon != std::string_view::npos;
   channel.name = single_blanks(own);
   channel.direction = trimmed(own.substr(is_numbered ? colon + 1 : 0));
-  for (const std::string_view text :
-       {behind("(sta chn:"), own.substr(0, is_numbered ? colon : 0)})
+  for (const std::string_view text : {behind("(sta chn:"), own.substr(0, is_numbered ? colon : 0)})
     if (const auto number = first_number(text); number && channel.number.empty())
       channel.number = shortest_decimal(number->value);
   return channel;
@@ -472,9 +472,9 @@ FileComponent file_component(const RecordText& file, std::string name, double dt
 FileComponent file_component(const RecordText& file, std::string name, double dt_s,
                              std::vector<double> samples_mps2, RecordHeader header) {
   FileComponent component = file_component(file, std::move(name), dt_s, std::move(samples_mps2));
-  component.record.source = fmt::format(
-      "{}{}{}{}{}, {}", header.event, header.event.empty() ? "" : ", ", header.station,
-      header.location.empty() ? "" : ", ", header.location, header.direction);
+  component.record.source =
+      fmt::format("{}{}{}{}{}, {}", header.event, header.event.empty() ? "" : ", ", header.station,
+                  header.location.empty() ? "" : ", ", header.location, header.direction);
   component.header = std::move(header);
   return component;
 }

@@ -13,7 +13,23 @@
 namespace glissade {
 namespace {
 
-bool is_at2(const RecordText& file) { return find_at2_header(file.text).has_value(); }
+/// As many rows of two numbers as NPTS states: times and accelerations, a table.
+bool has_rows_of_two(const RecordText& file, const At2Header& header) {
+  LineReader lines(file.text);
+  while (lines.number() < header.lines && lines.next()) continue;
+  std::size_t rows = 0;
+  while (lines.next()) {
+    const std::size_t columns = fields(lines.line()).size();
+    if (columns != 0 && columns != 2) return false;
+    rows += columns / 2;
+  }
+  return rows > 0 && rows == header.npts;
+}
+
+bool is_at2(const RecordText& file) {
+  const auto header = find_at2_header(file.text);
+  return header && !has_rows_of_two(file, *header);
+}
 
 /// "03/27/1980", and what may stand before and behind it.
 bool has_date(std::string_view text) {
@@ -53,7 +69,8 @@ RecordHeader peer_header(const At2Header& stated) {
 
 std::vector<FileComponent> read_at2(const RecordText& file, const RecordFileOptions& options) {
   const At2Header header = *find_at2_header(file.text);
-  const double unit_mps2 = stated_unit(file, header.units, header.units_line, options);
+  const bool has_step = options.dt_s || !header.dt_text.empty();
+  const double unit_mps2 = stated_unit(file, {header.units, header.units_line}, has_step, options);
   const double dt_s = at2_step(file.path, header, options.dt_s);
   LineReader lines(file.text);
   while (lines.number() < header.lines && lines.next()) continue;

@@ -10,7 +10,7 @@
 #include "glissade/motion/improbable.hpp"
 #include "records/at2_header.hpp"
 #include "records/formats/reading.hpp"
-#include "records/time_column.hpp"
+#include "records/formats/tables/table_heading.hpp"
 
 namespace glissade {
 namespace {
@@ -106,26 +106,22 @@ void refuse_header(const Record& record, double unit_mps2,
        "put # before the lines of the header; a sample of that value needs a column of times", ""});
 }
 
-/// What the comments before the first sample state.
-At2Header comments_of(std::string_view text) {
+/// What the comments before the first sample state. InputError where they head a spectrum.
+At2Header comments_of(const RecordText& file) {
   At2Header header;
-  LineReader reader(text);
-  while (reader.next() && is_blank_or_comment(reader.line()))
+  LineReader reader(file.text);
+  while (reader.next() && is_blank_or_comment(reader.line())) {
     read_header_line(reader.line(), reader.number(), header);
+    const std::string heading(without_comment_mark(reader.line()));
+    if (const auto column = spectrum_column(table_columns({heading}, ' ', 2)); !column.empty())
+      refuse_spectrum(file.at(reader.number()), column);
+  }
   return header;
 }
 
-double column_step(const RecordText& file, const At2Header& header,
-                   const RecordFileOptions& options) {
-  if (!options.dt_s && !header.dt_s)
-    refuse_record(file, "one column does not give the time step", "give it with dt_s");
-  return at2_step(file.path, header, options.dt_s);
-}
-
 std::vector<FileComponent> read_columns(const RecordText& file, const RecordFileOptions& options) {
-  const At2Header header = comments_of(file.text);
-  std::vector<double> samples;
-  TimeColumn time;
+  const At2Header header = comments_of(file);
+  TimedSamples rows;
   std::size_t columns = 0;
   double unit_mps2 = 1.0;
   std::vector<std::size_t> decimals;
@@ -138,7 +134,9 @@ std::vector<FileComponent> read_columns(const RecordText& file, const RecordFile
       parse_finite(file, line, parts.front(),
                    "the value");  // text is reported as text, however many words
       columns = parts.size();
-      if (columns <= 2) unit_mps2 = stated_unit(file, header.units, header.units_line, options);
+      const bool has_step = columns == 2 || options.dt_s || header.dt_s;
+      if (columns <= 2)
+        unit_mps2 = stated_unit(file, {header.units, header.units_line}, has_step, options);
     }
     if (parts.size() > 2 || parts.size() != columns)
       refuse_record(file.at(line),
@@ -146,24 +144,21 @@ std::vector<FileComponent> read_columns(const RecordText& file, const RecordFile
                         (parts.size() > 2 ? "; at most two are read"
                                           : ", " + std::to_string(columns) + " above"),
                     what_is_read);
-    if (columns == 2) time.add(parse_finite(file, line, parts[0], "the time"), parts[0], line);
-    add_sample(file, line, parts.back(), unit_mps2, samples);
+    if (columns == 2) rows.time.add(parse_finite(file, line, parts[0], "the time"), parts[0], line);
+    add_sample(file, line, parts.back(), unit_mps2, rows.samples_mps2);
     if (columns == 1 && decimals.size() < judged) decimals.push_back(decimals_of(parts.back()));
   }
   if (columns == 0) refuse_record(file, "the file holds no samples", what_is_read);
-  if (header.npts) check_at2_count(file.path, header, samples.size());
-  FileComponent component = file_component(file, "", 0.0, std::move(samples));
+  if (header.npts) check_at2_count(file.path, header, rows.samples_mps2.size());
+  FileComponent component = file_component(file, "", 0.0, {});
   component.header.unit = header.units;
   Record& record = component.record;
-  if (columns == 2) {
-    if (!options.dt_s && header.dt_s)
-      check_step(file.at(header.lines), header.dt_text, *header.dt_s);
-    record.dt_s =
-        noted_step(file.path, time, options.dt_s ? options.dt_s : header.dt_s, record.notes);
-  } else {
-    record.dt_s = column_step(file, header, options);
-    refuse_header(record, unit_mps2, decimals);
-  }
+  if (columns == 1 && !options.dt_s && !header.dt_s)
+    refuse_record(file, "one column does not give the time step", "give it with dt_s");
+  record.dt_s = columns == 2 ? step_of_rows(file, rows, header, options, record.notes)
+                             : at2_step(file.path, header, options.dt_s);
+  record.acceleration_mps2 = std::move(rows.samples_mps2);
+  if (columns == 1) refuse_header(record, unit_mps2, decimals);
   return {std::move(component)};
 }
 

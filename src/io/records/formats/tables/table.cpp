@@ -23,18 +23,6 @@ bool is_table(const RecordText& file) {
           table->is_number.size() > 2 || !table->is_all_numbers());
 }
 
-/// Without the marks of comments.
-std::vector<std::string> plain_lines(const std::vector<TableLine>& lines) {
-  std::vector<std::string> plain;
-  for (const TableLine& line : lines) {
-    std::string_view text = trimmed(line.text);
-    while (!text.empty() && std::string_view("#%!*").find(text.front()) != std::string_view::npos)
-      text = trimmed(text.substr(1));
-    plain.emplace_back(text);
-  }
-  return plain;
-}
-
 /// What is read of a table.
 struct TablePlan {
   TableShape shape;
@@ -101,6 +89,8 @@ std::string listed_headings(const TablePlan& plan) {
 
 void plan_by_heading(const RecordText& file, TablePlan& plan) {
   const std::size_t count = plan.columns.size();
+  if (const std::string column = spectrum_column(plan.columns); !column.empty())
+    refuse_spectrum(file.at(plan.shape.first_row), column);
   for (std::size_t i = 0; i < count && !plan.time; ++i)
     if (plan.shape.is_number[i] && is_time(plan.columns[i])) plan.time = i;
   if (!plan.time) plan.time = step_number(plan, file);
@@ -121,10 +111,11 @@ void plan_by_heading(const RecordText& file, TablePlan& plan) {
 
 TablePlan plan_of(const RecordText& file) {
   TablePlan plan{*find_table(file), {}, {}, {}, {}, false};
+  std::vector<std::string> headings;
   for (const TableLine& line : plan.shape.above)
-    read_header_line(line.text, line.number, plan.stated);
-  plan.columns = table_columns(plain_lines(plan.shape.above), plan.shape.style.separator,
-                               plan.shape.is_number.size());
+    if (!read_header_line(line.text, line.number, plan.stated))
+      headings.emplace_back(without_comment_mark(line.text));
+  plan.columns = table_columns(headings, plan.shape.style.separator, plan.shape.is_number.size());
   plan.has_heading = !plan.columns.empty();
   if (plan.has_heading)
     plan_by_heading(file, plan);
@@ -169,14 +160,9 @@ double cell_number(const RecordText& file, std::size_t line, std::string_view ce
   return parse_finite(file, line, cell, what);
 }
 
-struct TableRows {
-  TimeColumn time;
-  std::vector<double> samples_mps2;
-};
-
-TableRows read_rows(const RecordText& file, const TablePlan& plan, std::size_t column,
-                    double unit_mps2) {
-  TableRows rows;
+TimedSamples read_rows(const RecordText& file, const TablePlan& plan, std::size_t column,
+                       double unit_mps2) {
+  TimedSamples rows;
   std::vector<LabelColumn> labels = label_columns(plan);
   const TableStyle& style = plan.shape.style;
   LineReader lines(file.text);
@@ -202,7 +188,7 @@ TableRows read_rows(const RecordText& file, const TablePlan& plan, std::size_t c
   return rows;
 }
 
-double table_step(const RecordText& file, const TablePlan& plan, TimeColumn& time,
+double table_step(const RecordText& file, const TablePlan& plan, TimedSamples& rows,
                   const RecordFileOptions& options, std::vector<std::string>& notes) {
   if (!plan.time) {
     if (!options.dt_s && !plan.stated.dt_s)
@@ -213,8 +199,8 @@ double table_step(const RecordText& file, const TablePlan& plan, TimeColumn& tim
     return at2_step(file.path, plan.stated, options.dt_s);
   }
   const HeaderUnit& unit = plan.columns[*plan.time].meaning;
-  time.scale(unit.kind == UnitKind::time ? unit.si : 1.0);
-  return noted_step(file.path, time, options.dt_s ? options.dt_s : plan.stated.dt_s, notes);
+  rows.time.scale(unit.kind == UnitKind::time ? unit.si : 1.0);
+  return step_of_rows(file, rows, plan.stated, options, notes);
 }
 
 std::vector<FileComponent> read_table(const RecordText& file, const RecordFileOptions& options) {
@@ -226,15 +212,17 @@ std::vector<FileComponent> read_table(const RecordText& file, const RecordFileOp
   }
   const std::size_t picked = picked_component(file.path, components, options.component);
   const TableColumn& column = plan.columns[plan.components[picked]];
-  const double unit_mps2 =
-      column.unit.empty() ? stated_unit(file, plan.stated.units, plan.stated.units_line, options)
-                          : stated_unit(file, column.unit, plan.shape.first_row - 1, options);
-  TableRows rows = read_rows(file, plan, plan.components[picked], unit_mps2);
+  const StatedUnit unit = column.unit.empty()
+                              ? StatedUnit{plan.stated.units, plan.stated.units_line}
+                              : StatedUnit{column.unit, plan.shape.first_row - 1};
+  const bool has_step = plan.time || options.dt_s || plan.stated.dt_s;
+  const double unit_mps2 = stated_unit(file, unit, has_step, options);
+  TimedSamples rows = read_rows(file, plan, plan.components[picked], unit_mps2);
   if (plan.stated.npts) check_at2_count(file.path, plan.stated, rows.samples_mps2.size());
   Record& record = components[picked].record;
-  record.dt_s = table_step(file, plan, rows.time, options, record.notes);
+  record.dt_s = table_step(file, plan, rows, options, record.notes);
   record.acceleration_mps2 = std::move(rows.samples_mps2);
-  components[picked].header.unit = column.unit.empty() ? plan.stated.units : column.unit;
+  components[picked].header.unit = unit.text;
   if (plan.shape.style.decimal_comma)
     record.notes.emplace_back("commas are taken for decimal commas");
   return components;

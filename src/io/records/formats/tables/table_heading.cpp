@@ -84,8 +84,18 @@ bool are_units(const std::vector<std::string>& cells) {
          std::ranges::all_of(cells, [](const auto& cell) { return cell.empty() || is_unit(cell); });
 }
 
+bool has_any_of(const std::string& lower, std::initializer_list<std::string_view> parts) {
+  return std::ranges::any_of(parts, [&](auto part) { return lower.find(part) != lower.npos; });
+}
+
 bool is_named(const std::string& lower, std::initializer_list<std::string_view> names) {
   return std::ranges::find(names, lower) != names.end();
+}
+
+bool is_period(const TableColumn& column) {
+  const std::string lower = lower_case(column.name);
+  return column.meaning.kind == UnitKind::frequency || is_named(lower, {"hz", "f"}) ||
+         has_any_of(lower, {"period", "freq", "frec", "omega"});
 }
 
 }  // namespace
@@ -105,6 +115,13 @@ std::vector<std::string_view> table_cells(std::string_view line, char separator)
   return cells;
 }
 
+std::string_view without_comment_mark(std::string_view line) {
+  line = trimmed(line);
+  while (!line.empty() && std::string_view("#%!*").find(line.front()) != std::string_view::npos)
+    line = trimmed(line.substr(1));
+  return line;
+}
+
 std::vector<TableColumn> table_columns(const std::vector<std::string>& above, char separator,
                                        std::size_t count) {
   std::vector<TableColumn> columns;
@@ -122,6 +139,33 @@ std::vector<TableColumn> table_columns(const std::vector<std::string>& above, ch
     if (count == 1 && !is_acceleration(columns.front())) columns.clear();
   }
   return columns;
+}
+
+std::string spectrum_column(const std::vector<TableColumn>& columns) {
+  const auto named = [](const TableColumn& column, std::initializer_list<std::string_view> names) {
+    return is_named(lower_case(column.name), names);
+  };
+  const auto is_spectral = [&](const TableColumn& column) {
+    return named(column, {"sa", "sv", "sd", "s_a"}) ||
+           has_any_of(lower_case(column.name), {"psa", "psv", "pseudo", "spectr", "ps-acc"});
+  };
+  const auto is_number = [](const TableColumn& column) {
+    return !column.heading.empty() &&
+           column.heading.find_first_not_of("0123456789.+-") == std::string::npos;
+  };
+  const auto is_value = [&](const TableColumn& column) {
+    const UnitKind kind = column.meaning.kind;
+    return kind == UnitKind::velocity || kind == UnitKind::displacement || is_spectral(column) ||
+           is_acceleration(column);
+  };
+  // "Sampling frequency (Hz), 100" and "Frequency content" are no headings.
+  if (std::ranges::any_of(columns, is_number) || std::ranges::none_of(columns, is_value)) return "";
+  const bool has_spectral = std::ranges::any_of(columns, is_spectral);
+  for (const TableColumn& column : columns)  // "T" is a time or a period
+    if (is_time(column) && !is_period(column) && !(has_spectral && named(column, {"t"}))) return "";
+  for (const TableColumn& column : columns)
+    if (is_period(column) || (has_spectral && is_time(column))) return column.heading;
+  return "";
 }
 
 bool is_time(const TableColumn& column) {
