@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 
 #include "cli/json_of.hpp"
+#include "sanitized.hpp"
 
 namespace glissade::test {
 namespace {
@@ -106,6 +107,32 @@ TEST_F(RecordInput, a_component_of_a_file_is_named_behind_it) {
   EXPECT_NEAR(json_of(slide("#1"))["pga_g"].get<double>(), 0.4, 1e-12);
   expect_refused(run_program(slide("")), {"floor.csv", "#1 (ax)", "#2 (ay)"});
   expect_refused(run_program(slide("#az")), {"'az'", "#2 (ay)"});
+}
+
+// What is held is bounded by the samples that a record may have, and not by what a file makes of
+// its bytes: a list of its cells, a tree of its elements, each a byte or two.
+TEST_F(RecordInput, that_is_large_and_no_record_is_refused_in_little_memory) {
+  if (slowdown > 1) GTEST_SKIP() << "the sanitizers need address space";
+  constexpr std::size_t file_bytes = std::size_t{32} << 20;
+  struct Large {
+    const char* name;
+    std::string begin, repeated, reason;
+  };
+  for (const Large& large :
+       {Large{"commas.csv", "", ",", "not a number"},
+        Large{"comments.txt", "", "#\n", "no samples"},
+        Large{"touching.txt", "# units: g\n", "1.5", "not a number"},
+        Large{"latin1.txt", "", "\xe9", "no text"}, Large{"utf16.txt", "\xff\xfe", "B0", "no text"},
+        Large{"elements.xml", "<FDSNStationXML>", "<Channel/>", "2 million"},
+        Large{"attributes.xml", "<FDSNStationXML", " a=\"\"", "2 million"}}) {
+    std::string text = large.begin;
+    while (text.size() < file_bytes) text += large.repeated;
+    const std::string file = folder_.write(large.name, text);
+    expect_refused(
+        run_shell("ulimit -v 250000; \"$0\" suite import '" + file + "' --units g --dt-s 0.01"),
+        {large.name, large.reason});
+    std::filesystem::remove(file);
+  }
 }
 
 TEST_F(RecordInput, counts_need_units_and_a_gain) {

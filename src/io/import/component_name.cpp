@@ -19,16 +19,6 @@ bool is_one_of(std::string_view word, std::initializer_list<std::string_view> wo
   return std::ranges::find(words, word) != words.end();
 }
 
-/// The last letter of a channel of SEED, "HNE", "BN1", also with its location behind it ("BH100").
-char seed_orientation(std::string_view lower) {
-  if (lower.size() == 5 && is_digit(lower[3]) && is_digit(lower[4])) lower = lower.substr(0, 3);
-  if (lower.size() != 3) return '\0';
-  const bool has_code = std::string_view("fgdceshbl").find(lower[0]) != std::string_view::npos &&
-                        std::string_view("hlgn").find(lower[1]) != std::string_view::npos;
-  return has_code && std::string_view("nez123").find(lower[2]) != std::string_view::npos ? lower[2]
-                                                                                         : '\0';
-}
-
 ComponentDirection horizontal(double azimuth_deg) {
   const double turned = std::fmod(azimuth_deg, 360.0);
   return {false, false, turned < 0.0 ? turned + 360.0 : turned, 0};
@@ -95,12 +85,8 @@ std::optional<ComponentDirection> component_direction(std::string_view word) {
     return ComponentDirection{false, false, {}, 1};
   if (is_one_of(lower, {"h2", "t", "tr", "tran", "y", "u2", "uy", "ay", "a2", "fp"}))
     return ComponentDirection{false, false, {}, 2};
-  switch (seed_orientation(lower)) {
-    case 'n':
-      return horizontal(0.0);
-    case 'e':
-      return horizontal(90.0);
-    case 'z':
+  const auto seed = seed_channel(lower);
+  switch (seed ? seed->orientation : '\0') {
     case '3':
       return ComponentDirection{true, false, {}, 0};
     case '1':

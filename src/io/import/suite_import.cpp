@@ -49,10 +49,11 @@ void for_each_member(const fs::path& file, std::vector<LeftOut>& left_out, Take 
   try {
     const std::string bytes = read_text_file(file);
     if (!is_archive(bytes)) return take(FileToRead{file, "", bytes});
-    UnpackedArchive archive = unpacked(file, bytes);
-    std::ranges::move(archive.left_out, std::back_inserter(left_out));
-    for (const PackedFile& member : archive.files)
-      take(FileToRead{file, member.name, member.bytes});
+    std::ranges::move(unpack(file, bytes,
+                             [&](const PackedFile& member) {
+                               take(FileToRead{file, member.name, member.bytes});
+                             }),
+                      std::back_inserter(left_out));
   } catch (const InputError& error) {
     left_out.push_back({file.string(), reason_of(error)});
   }
@@ -96,7 +97,7 @@ class ComponentReader {
     if (is_same_file(file.shown(), options_.report)) return;
     try {
       constexpr std::size_t looked_at = 1000;
-      const RecordText beginning{file.shown(), file.bytes.substr(0, looked_at)};
+      const RecordText beginning{file.shown(), std::string_view(file.bytes).substr(0, looked_at)};
       if (is_station_xml(beginning)) return StationMetadata().add({file.shown(), file.bytes});
       if (miniseed_format.matches(beginning) && !stations_) {  // which alone needs them
         stations_ = stations_of(files_);

@@ -57,8 +57,8 @@ std::vector<std::string> source_contradictions(const TimedRecord& first,
   const auto one = source_of(first), other = source_of(second), up = source_of(vertical);
   for (const auto& component : {other, up}) {
     if (one && component && lower_case(one->station) != lower_case(component->station))
-      found.push_back(fmt::format("components of two stations or locations (\"{}\" and \"{}\")", one->station,
-                                  component->station));
+      found.push_back(fmt::format("components of two stations or locations (\"{}\" and \"{}\")",
+                                  one->station, component->station));
   }
   for (const auto& horizontal : {one, other}) {
     if (horizontal && is_vertical(*horizontal))

@@ -101,15 +101,16 @@ std::string data_of(const fs::path& file, archive* a, std::size_t room) {
 
 }  // namespace
 
-UnpackedArchive unpacked(const fs::path& file, std::string_view bytes) {
+std::vector<LeftOut> unpack(const fs::path& file, std::string_view bytes,
+                            const std::function<void(PackedFile)>& take) {
   const OpenArchive a = open(file, bytes);
-  UnpackedArchive found;
+  std::vector<LeftOut> left_out;
   std::set<std::string> names;
   std::size_t room = most_bytes_in_all, count = 0;
   for (;;) {
     archive_entry* entry = nullptr;
     const int result = archive_read_next_header(a.get(), &entry);
-    if (result == ARCHIVE_EOF) return found;
+    if (result == ARCHIVE_EOF) return left_out;
     if (result != ARCHIVE_OK && result != ARCHIVE_WARN) refuse_damaged(file, a.get());
     if (++count > most_files)
       refuse(file, fmt::format("holds more than {} files", most_files),
@@ -120,19 +121,21 @@ UnpackedArchive unpacked(const fs::path& file, std::string_view bytes) {
     if (archive_entry_filetype(entry) == AE_IFDIR || is_hidden(name)) continue;
     const std::string shown = file.string() + "#" + printable_name(name);
     if (const std::string reason = reason_against(entry, name); !reason.empty()) {
-      found.left_out.push_back({shown, reason});
+      left_out.push_back({shown, reason});
     } else if (!names.insert(name).second) {
-      found.left_out.push_back({shown, "a second file of this name in the archive"});
+      left_out.push_back({shown, "a second file of this name in the archive"});
     } else {
-      found.files.push_back({name, data_of(file, a.get(), room)});
-      room -= found.files.back().bytes.size();
+      PackedFile packed{name, data_of(file, a.get(), room)};
+      room -= packed.bytes.size();
+      take(std::move(packed));
     }
   }
 }
 
 #else
 
-UnpackedArchive unpacked(const fs::path& file, std::string_view) {
+std::vector<LeftOut> unpack(const fs::path& file, std::string_view,
+                            const std::function<void(PackedFile)>&) {
   throw InputError({file.string(), "is an archive, and this program was built without libarchive",
                     "install libarchive-dev and build again, or unpack it", ""});
 }
@@ -146,7 +149,7 @@ RecordStore::Found RecordStore::find(const fs::path& file, const std::string& in
     bytes_ = read_text_file(file);
     is_packed_ = is_archive(bytes_);
     if (is_packed_) {
-      files_ = unpacked(file, bytes_).files;
+      unpack(file, bytes_, [&](PackedFile packed) { files_.push_back(std::move(packed)); });
       bytes_.clear();
     }
     last_ = file;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -18,14 +19,11 @@ struct PackedFile {
   std::string name;  ///< its path in the archive, which leads to no place outside
   std::string bytes;
 };
-struct UnpackedArchive {
-  std::vector<PackedFile> files;  ///< without folders and hidden files
-  std::vector<LeftOut> left_out;  ///< links, encrypted files, improper names
-};
-
-/// What an archive holds, in memory only. Throws InputError where it is damaged, and where it holds
-/// more than 20,000 files, 256 MiB in one or 512 MiB in all.
-UnpackedArchive unpacked(const std::filesystem::path& file, std::string_view bytes);
+/// Gives the files of an archive one after the other, in memory only, without folders and hidden
+/// ones; what is left out: links, encrypted files, improper names. Throws InputError where it is
+/// damaged, and where it holds more than 20,000 files, 256 MiB in one or 512 MiB in all.
+std::vector<LeftOut> unpack(const std::filesystem::path& file, std::string_view bytes,
+                            const std::function<void(PackedFile)>& take);
 
 /// The bytes of record files; those of the file or archive that was read last are kept, so that
 /// what several components are in is read once.

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <pugixml.hpp>
 
 #include "records/formats/reading.hpp"
@@ -28,11 +29,20 @@ std::string direction_of(const pugi::xml_node& channel) {
 
 bool is_station_xml(const RecordText& file) {
   constexpr std::size_t looked_at = 1000;
-  return lower_case(std::string_view(file.text).substr(0, looked_at)).find("<fdsnstationxml") !=
-         std::string::npos;
+  return lower_case(file.text.substr(0, looked_at)).find("<fdsnstationxml") != std::string::npos;
 }
 
 void StationMetadata::add(const RecordText& file) {
+  constexpr std::size_t most_bytes = std::size_t{64} << 20, most_parts = 2'000'000,
+                        most_channels = 100'000;
+  const auto refuse_if = [&](bool is_large, const char* what) {
+    if (is_large)
+      refuse_record(file, fmt::format("holds more than {}", what),
+                    "get the metadata of the stations of the records alone (level=channel)");
+  };
+  refuse_if(file.text.size() > most_bytes, "64 MiB of StationXML");
+  const auto parts = std::ranges::count_if(file.text, [](char c) { return c == '<' || c == '='; });
+  refuse_if(static_cast<std::size_t>(parts) > most_parts, "2 million elements and attributes");
   pugi::xml_document document;
   const pugi::xml_parse_result parsed =
       document.load_buffer(file.text.data(), file.text.size(), pugi::parse_default);
@@ -45,6 +55,7 @@ void StationMetadata::add(const RecordText& file) {
     for (const pugi::xml_node& station : network.children("Station")) {
       for (const pugi::xml_node& channel : station.children("Channel")) {
         const pugi::xml_node stated = channel.child("Response").child("InstrumentSensitivity");
+        refuse_if(channels_.size() == most_channels, "100,000 channels");
         Channel& read = channels_.emplace_back();
         read.id = fmt::format(
             "{}_{}_{}_{}", network.attribute("code").value(), station.attribute("code").value(),

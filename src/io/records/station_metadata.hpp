@@ -20,7 +20,8 @@ struct ChannelGain {
 /// Gains of recorders by FDSN StationXML 1, InstrumentSensitivity of each channel and epoch.
 class StationMetadata {
  public:
-  /// Takes the channels of a file. InputError where it is no XML.
+  /// Takes the channels of a file. InputError where it is no XML, or larger than 64 MiB, two
+  /// million elements and attributes or 100,000 channels.
   void add(const RecordText& file);
   bool empty() const { return channels_.empty(); }
   /// Of "NET_STA_LOC_CHA" at a time, "2019-07-06T03:19:47"; nothing where no file has it.

@@ -137,7 +137,8 @@ Cells quoted_cells(std::string_view line, char separator) {
   std::size_t begin = 0;
   for (std::size_t i = 0; i <= line.size(); ++i) {
     if (i < line.size() && line[i] == '"') is_quoted = are_pairs && !is_quoted;
-    if (i < line.size() && (line[i] != separator || is_quoted)) continue;
+    const bool has_room = cells.size() + 1 < most_fields;
+    if (i < line.size() && (line[i] != separator || is_quoted || !has_room)) continue;
     std::string_view cell = trimmed(line.substr(begin, i - begin));
     if (cell.size() > 1 && cell.front() == '"' && cell.back() == '"')
       cell = trimmed(cell.substr(1, cell.size() - 2));

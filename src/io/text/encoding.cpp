@@ -8,6 +8,7 @@ namespace {
 
 constexpr std::string_view little_endian_mark = "\xff\xfe", big_endian_mark = "\xfe\xff";
 constexpr char32_t no_character = 0xFFFD;
+constexpr std::size_t most_foreign = 1'000'000;  // characters that are not ASCII
 
 void append_utf8(char32_t c, std::string& text) {
   const auto part = [](char32_t bits) { return static_cast<char>(bits); };
@@ -39,8 +40,11 @@ std::string from_utf16(std::string_view bytes) {
   const auto is_high = [](char32_t c) { return c >= 0xD800 && c < 0xDC00; };
   const auto is_low = [](char32_t c) { return c >= 0xDC00 && c < 0xE000; };
   std::string text;
+  text.reserve(bytes.size() / 2);
+  std::size_t foreign = 0;
   for (std::size_t at = 2; at + 1 < bytes.size(); at += 2) {
     const char32_t c = unit(at);
+    if (c >= 0x80 && ++foreign > most_foreign) return "";
     if (!is_high(c) && !is_low(c)) {
       append_utf8(c, text);
     } else if (is_high(c) && at + 3 < bytes.size() && is_low(unit(at + 2))) {
@@ -55,8 +59,11 @@ std::string from_utf16(std::string_view bytes) {
 
 std::string from_latin1(std::string_view bytes) {
   std::string text;
+  text.reserve(bytes.size());
+  std::size_t foreign = 0;
   for (const char byte : bytes) {
     const auto c = static_cast<std::uint8_t>(byte);
+    if (c >= 0x80 && ++foreign > most_foreign) return "";
     append_utf8(c >= 0x80 && c < 0xA0 ? no_character : c, text);
   }
   return text;

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <charconv>
 #include <string>
+#include <utility>
 
 #include "glissade/core/error.hpp"
 #include "glissade/core/printable.hpp"
@@ -81,20 +82,24 @@ void refuse_no_text(const std::filesystem::path& file, std::string_view text) {
     throw InputError({file.string(), "is not a text file", "give a text file in UTF-8", ""});
 }
 
+bool FieldReader::next() {
+  field_ = {};
+  if (rest_.empty()) return std::exchange(ends_with_comma_, false);
+  const auto is_end = [](char c) { return is_blank(c) || c == ','; };
+  const auto end = std::find_if(rest_.begin(), rest_.end(), is_end);
+  field_ = rest_.substr(0, static_cast<std::size_t>(end - rest_.begin()));
+  rest_.remove_prefix(field_.size());
+  while (!rest_.empty() && is_blank(rest_.front())) rest_.remove_prefix(1);
+  ends_with_comma_ = rest_.starts_with(',');
+  if (ends_with_comma_) rest_ = trimmed(rest_.substr(1));
+  return true;
+}
+
 std::vector<std::string_view> fields(std::string_view line) {
-  line = trimmed(line.substr(0, line.find('#')));
   std::vector<std::string_view> parts;
-  while (!line.empty()) {
-    const auto is_end = [](char c) { return is_blank(c) || c == ','; };
-    const auto end = std::find_if(line.begin(), line.end(), is_end);
-    parts.push_back(line.substr(0, static_cast<std::size_t>(end - line.begin())));
-    line.remove_prefix(parts.back().size());
-    while (!line.empty() && is_blank(line.front())) line.remove_prefix(1);
-    if (!line.empty() && line.front() == ',') {
-      line = trimmed(line.substr(1));
-      if (line.empty()) parts.emplace_back();
-    }
-  }
+  FieldReader reader(line);
+  while (parts.size() + 1 < most_fields && reader.next()) parts.push_back(reader.field());
+  if (!reader.rest().empty()) parts.push_back(reader.rest());
   return parts;
 }
 

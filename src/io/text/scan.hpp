@@ -30,8 +30,24 @@ std::string_view trimmed(std::string_view text);
 std::string lower_case(std::string_view text);
 bool is_blank_or_comment(std::string_view line);  ///< `#` begins a comment
 
-/// The parts of a line between blanks, tabs and commas; two commas have an empty part between them.
-/// What follows `#` is dropped.
+/// The parts of a line between blanks, tabs and commas, one by one; two commas have an empty part
+/// between them. What follows `#` is dropped.
+class FieldReader {
+ public:
+  explicit FieldReader(std::string_view line) : rest_(trimmed(line.substr(0, line.find('#')))) {}
+  bool next();
+  std::string_view field() const { return field_; }
+  std::string_view rest() const { return rest_; }
+
+ private:
+  std::string_view rest_, field_;
+  bool ends_with_comma_ = false;
+};
+
+/// The most parts that a list of a line's parts has; the last one then holds all that is left, and
+/// is no number.
+inline constexpr std::size_t most_fields = 100'000;
+/// All parts of a line.
 std::vector<std::string_view> fields(std::string_view line);
 /// Throws InputError where a header's columns are separated by one of these, ";" or tabs, and by no
 /// commas.

@@ -3,6 +3,8 @@
 #include <gmock/gmock.h>
 #include <zlib.h>
 
+#include <cstring>
+
 #include "glissade/core/file.hpp"
 #include "glissade/core/units.hpp"
 #include "glissade/io/record_file.hpp"
@@ -43,6 +45,7 @@ const std::vector<Sample> samples = {
     {"at2_touching.at2", ""},
     {"knet.txt", ""},
     {"knet.txt", "E-W"},
+    {"knet.csv", "E-W"},
     {"kiknet_borehole.txt", "N-S borehole"},
     {"kiknet_surface.txt", ""},
     {"esm.asc", ""},
@@ -74,6 +77,7 @@ const std::vector<Sample> samples = {
     {"bhrc.v1", "V1", 0.5},
     {"geonet.v1a", "N10E"},
     {"geonet.v1a", "Up", 0.5},
+    {"csmnc.dat", ""},
     {"cwb.dat", "U", 0.5},
     {"cwb.dat", "N"},
     {"sac_little.sac", "", 1, in_mps2},
@@ -84,6 +88,7 @@ const std::vector<Sample> samples = {
     {"seismosignal.txt", ""},
     {"eqsig.txt", "", 1, in_mps2},
     {"count_and_step.txt", "", 1, in_mps2},
+    {"deepsoil.txt", "", 1, in_mps2},
     {"etabs.csv", "Accel"},
     {"sap.txt", "U3", 0.5},
     {"semicolon_decimal_comma.csv", "", 1, in_mps2},
@@ -121,7 +126,8 @@ TEST(record_formats, each_gives_the_samples_that_its_file_was_written_from) {
 
 /// What the header of each component states.
 std::vector<RecordHeader> headers_of(const fs::path& file, const RecordFileOptions& options = {}) {
-  const RecordText text = record_text(file, read_text_file(file));
+  const std::string bytes = read_text_file(file);
+  const RecordText text = record_text(file, bytes);
   std::vector<RecordHeader> headers;
   for (const FileComponent& component : format_of(text).read(text, options))
     headers.push_back(component.header);
@@ -284,6 +290,98 @@ TEST(record_formats, an_address_is_a_file_and_a_component_unless_it_is_a_file) {
   EXPECT_EQ(split_address(file + "#x.csv#U1").component, "x.csv#U1");
 }
 
+/// The SAC file of the corpus with another channel, inclination, azimuth and quantity.
+struct SacChannel {
+  const char* name;
+  float inclination_deg, azimuth_deg;
+  std::int32_t quantity;
+};
+std::string sac_file(const SacChannel& channel) {
+  std::string bytes = read_text_file(corpus / "sac_little.sac");
+  const auto put = [&](std::size_t word, auto value) {
+    std::memcpy(bytes.data() + 4 * word, &value, sizeof value);
+  };
+  put(57, channel.azimuth_deg);
+  put(58, channel.inclination_deg);
+  put(86, channel.quantity);
+  bytes.replace(440 + 8 * 20, 3, channel.name);
+  return bytes;
+}
+
+// SAC manual: CMPINC is from up, CMPAZ from north; -12345 is not stated; IDEP 8 is acceleration.
+TEST(record_formats, the_header_of_sac_decides_the_component_and_else_its_channel) {
+  constexpr float none = -12345.0F;
+  constexpr std::int32_t acceleration = 8, unknown = 5;
+  const TemporaryFolder folder;
+  const auto file = [&](const SacChannel& c) { return folder.write("a.sac", sac_file(c)); };
+  const auto direction = [&](const SacChannel& c) {
+    return headers_of(file(c), in_mps2)[0].direction;
+  };
+  EXPECT_EQ(direction({"HNE", 90, 87, unknown}), "87");
+  EXPECT_EQ(direction({"HN1", 90, 33.5F, unknown}), "33.5");
+  for (const char* name : {"ENZ", "HGZ", "HNZ", "HLZ", "Q  "})
+    EXPECT_EQ(direction({name, 0, 0, unknown}), "UP") << name;
+  EXPECT_EQ(direction({"HNZ", 180, 0, unknown}), "DOWN");
+  for (const char* name : {"ENZ", "HGZ", "HNZ"})
+    EXPECT_EQ(direction({name, none, none, unknown}), "UP") << name;
+  EXPECT_EQ(direction({"ENN", none, none, unknown}), "0");
+  EXPECT_EQ(direction({"BHZ", 0, 0, acceleration}), "UP");
+  const auto message = [&](const SacChannel& c) {
+    return message_of([&] { read_record(file(c), in_mps2); });
+  };
+  for (const char* name : {"BHZ", "HHE", "EHN", "EPZ"})
+    EXPECT_THAT(message({name, none, none, unknown}), test::states(name, "seismometer"));
+  EXPECT_THAT(message({"HNE", 0, 0, unknown}), test::states("CMPINC = 0", "HNE"));
+  EXPECT_THAT(message({"HNZ", 90, 0, unknown}), test::states("CMPINC = 90", "HNZ"));
+  EXPECT_THAT(message({"HN1", 45, 0, unknown}), test::states("CMPINC = 45"));
+}
+
+TEST(record_formats, miniseed_of_a_seismometer_is_refused) {
+  std::string bytes = read_text_file(corpus / "miniseed.mseed");
+  const TemporaryFolder folder;
+  const auto file = [&](const char* channel) {
+    return folder.write("a.mseed", bytes.replace(15, 3, channel));
+  };
+  const std::string message = message_of([&] { read_record(file("HHE"), in_counts); });
+  if (message.find("libmseed") != std::string::npos) GTEST_SKIP() << message;
+  EXPECT_THAT(message, test::states("HHE", "seismometer"));
+  EXPECT_EQ(headers_of(file("ENZ"), in_counts)[0].direction, "UP");
+}
+
+TEST(record_formats, two_steps_of_a_file_that_differ_are_refused) {
+  const TemporaryFolder folder;
+  const auto edited = [&](const char* name, const std::string& from, const std::string& to) {
+    std::string text = read_text_file(corpus / name);
+    const std::size_t at = text.find(from);
+    EXPECT_NE(at, std::string::npos) << name;
+    return folder.write(name, text.replace(at, from.size(), to));
+  };
+  const auto message = [](const fs::path& file) {
+    return message_of([&] { read_record(file, {.dt_s = {}, .units = {}, .component = "1"}); });
+  };
+  EXPECT_THAT(message(edited("csmip.v2", "W. EDGE\ntext",
+                             "W. EDGE\nAt equally-spaced intervals of  .020 sec.")),
+              test::states("0.01 s", "0.02 s"));
+  EXPECT_EQ(message(edited("csmip.v2", "W. EDGE\ntext",
+                           "W. EDGE\nAt equally-spaced intervals of  .010 sec.")),
+            "");
+  EXPECT_THAT(message(edited("esm.asc", "NDATA:", "DURATION_S: 0.160\nNDATA:")),
+              test::states("0.16 s", "0.08 s"));
+  EXPECT_THAT(message(edited("cosmos.v2", "approx    0 secs", "approx   16 secs")),
+              test::states("16 s", "0.08 s"));
+}
+
+// A file that a program extended, or that was cut off by a system that failed.
+TEST(record_formats, bytes_of_zero_behind_a_text_are_left_out_with_a_note) {
+  const TemporaryFolder folder;
+  const std::string text = "# units: g\n# DT = 0.01\n1\n2\n";
+  const Record record = read_record(folder.write("a", text + std::string(300, '\0')));
+  EXPECT_EQ(record.acceleration_mps2.size(), 2u);
+  EXPECT_THAT(record.notes, ElementsAre(test::states("300 bytes of 0")));
+  EXPECT_THAT(message_of([&] { read_record(folder.write("a", text + '\0' + "1\n")); }),
+              HasSubstr("not a text"));
+}
+
 // By its heading, or by times that are none.
 TEST(record_formats, a_spectrum_or_a_table_of_modes_is_refused_as_what_it_is) {
   const TemporaryFolder folder;
@@ -372,9 +470,10 @@ TEST(record_formats, a_file_cut_anywhere_is_refused_or_read) {
 
 TEST(record_formats, a_file_without_its_last_value_is_refused_where_its_header_states_how_many) {
   const TemporaryFolder folder;
-  for (const char* name : {"at2_touching.at2", "knet.txt", "kiknet_surface.txt", "esm.asc",
-                           "esd.acc", "afad.txt", "smc.smc", "usc.dat", "bhrc.v1", "asa.txt",
-                           "geonet.v1a", "cwb.dat", "eqsig.txt", "sac_little.sac"}) {
+  for (const char* name :
+       {"at2_touching.at2", "knet.txt", "kiknet_surface.txt", "esm.asc", "esd.acc", "afad.txt",
+        "smc.smc", "usc.dat", "bhrc.v1", "asa.txt", "geonet.v1a", "csmnc.dat", "cwb.dat",
+        "eqsig.txt", "deepsoil.txt", "knet.csv", "sac_little.sac"}) {
     const std::string whole = read_text_file(corpus / name);
     const bool is_binary = std::string_view(name).ends_with(".sac");
     const std::size_t end = is_binary ? whole.size() - 4 : whole.find_last_of("0123456789");

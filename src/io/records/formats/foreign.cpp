@@ -47,11 +47,11 @@ bool is_sac_text(std::string_view text) {
   return floats == 14 && integers == 8 && text.find("-12345") != std::string_view::npos;
 }
 
-const ForeignKind* foreign_kind(const std::string& text) {
+const ForeignKind* foreign_kind(std::string_view text) {
   constexpr std::size_t looked_at = 1000;
   static constexpr ForeignKind sac_text{"", "", "is SAC as text (alphanumeric)",
                                         "write it as binary SAC (SAC: convert)"};
-  const std::string beginning = lower_case(std::string_view(text).substr(0, looked_at));
+  const std::string beginning = lower_case(text.substr(0, looked_at));
   for (const ForeignKind& kind : foreign_kinds) {
     if (kind.contains.empty() ? text.starts_with(kind.begins)
                               : beginning.find(kind.contains) != std::string::npos)

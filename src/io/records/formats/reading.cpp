@@ -43,7 +43,8 @@ std::string RecordText::at(std::size_t line) const {
 }
 
 std::string_view RecordText::first_line() const {
-  LineReader lines(text);
+  constexpr std::size_t longest = 1000;
+  LineReader lines(text.substr(0, longest));
   return lines.next() ? lines.line() : std::string_view();
 }
 
@@ -74,7 +75,8 @@ std::optional<double> fortran_number(std::string_view text) {
 }
 
 std::vector<std::string_view> touching_numbers(std::string_view token) {
-  if (fortran_number(token)) return {token};
+  constexpr std::size_t longest_line = 1000;  // of Fortran
+  if (token.size() > longest_line || fortran_number(token)) return {token};
   std::vector<std::string_view> parts;
   for (std::string_view rest = token; !rest.empty();) {
     const std::size_t end = end_of_number(rest);
@@ -90,8 +92,8 @@ std::vector<std::string_view> fixed_fields(std::string_view line, std::size_t wi
   std::vector<std::string_view> parts;
   const std::size_t blank = line.find_last_not_of(" \t\r");
   line = line.substr(0, blank == std::string_view::npos ? 0 : blank + 1);
-  for (std::size_t at = 0; at < line.size(); at += width)
-    parts.push_back(trimmed(line.substr(at, width)));
+  for (std::size_t at = 0; at < line.size() && parts.size() < most_fields; at += width)
+    parts.push_back(trimmed(line.substr(at, parts.size() + 1 < most_fields ? width : line.npos)));
   return parts;
 }
 
@@ -125,6 +127,16 @@ void add_number(const RecordText& file, double value, std::vector<double>& value
     refuse_record(file, fmt::format("has more than {} samples", most_samples),
                   "give the strong part of the record");
   values.push_back(value);
+}
+
+void add_component(const RecordText& file, FileComponent component,
+                   std::vector<FileComponent>& components) {
+  std::size_t samples = component.record.acceleration_mps2.size();
+  for (const FileComponent& other : components) samples += other.record.acceleration_mps2.size();
+  if (samples > most_samples)
+    refuse_record(file, fmt::format("has more than {} samples in all components", most_samples),
+                  "give a file for each component");
+  components.push_back(std::move(component));
 }
 
 void add_sample(const RecordText& file, std::size_t line, std::string_view token, double unit_mps2,
@@ -167,8 +179,8 @@ std::vector<double> read_block(const RecordText& file, LineReader& lines,
     if (block.width > 0) {
       for (const std::string_view field : fixed_fields(lines.line(), block.width)) add(field);
     } else {
-      for (const std::string_view token : fields(lines.line()))
-        for (const std::string_view number : touching_numbers(token)) add(number);
+      for (FieldReader token(lines.line()); token.next();)
+        for (const std::string_view number : touching_numbers(token.field())) add(number);
     }
   }
   return samples;
@@ -177,10 +189,9 @@ std::vector<double> read_block(const RecordText& file, LineReader& lines,
 std::vector<double> read_rest(const RecordText& file, LineReader& lines, double unit_mps2) {
   std::vector<double> samples;
   while (lines.next()) {
-    for (const std::string_view token : fields(lines.line())) {
-      for (const std::string_view number : touching_numbers(token))
+    for (FieldReader token(lines.line()); token.next();)
+      for (const std::string_view number : touching_numbers(token.field()))
         add_sample(file, lines.number(), number, unit_mps2, samples);
-    }
   }
   return samples;
 }
@@ -242,8 +253,9 @@ void add_row(const RecordText& file, std::size_t line, std::span<const std::stri
 
 std::optional<HeaderLine> line_with_colon(const LineReader& lines) {
   const std::string_view line = lines.line();
+  constexpr std::size_t longest = 10'000;
   const std::size_t colon = line.find(':');
-  if (colon == std::string_view::npos) return std::nullopt;
+  if (colon == std::string_view::npos || line.size() > longest) return std::nullopt;
   return HeaderLine{std::string(trimmed(line.substr(0, colon))),
                     std::string(trimmed(line.substr(colon + 1))), lines.number()};
 }
@@ -271,10 +283,11 @@ HeaderLines HeaderLines::in_columns(LineReader& lines, std::size_t width, std::s
   HeaderLines header;
   while (header.lines_.size() < count && lines.next()) {
     const std::string_view line = lines.line();
+    const std::size_t comma = line.find(','), end = std::min(width, comma);
+    std::string_view value = line.substr(std::min(end + (comma < width ? 1 : 0), line.size()));
+    while (comma < width && value.ends_with(',')) value.remove_suffix(1);
     header.lines_.push_back(
-        {std::string(trimmed(line.substr(0, width))),
-         line.size() > width ? std::string(trimmed(line.substr(width))) : std::string(),
-         lines.number()});
+        {std::string(trimmed(line.substr(0, end))), std::string(trimmed(value)), lines.number()});
   }
   return header;
 }
@@ -326,6 +339,16 @@ double stated_step(const std::string& where, const std::string& text, std::optio
 double stated_step(const RecordText& file, const HeaderLine& stated,
                    const RecordFileOptions& options) {
   return stated_step(file.at(stated.line), stated.value, fortran_number(stated.value), options);
+}
+
+void check_duration(const std::string& where, double stated_s, double dt_s, std::size_t samples,
+                    double tolerance_s) {
+  const double found_s = dt_s * static_cast<double>(samples);
+  if (std::abs(found_s - stated_s) <= tolerance_s + 0.02 * found_s) return;
+  refuse_record(where,
+                fmt::format("states {:g} s, and {} samples of {:g} s are {:g} s", stated_s, samples,
+                            dt_s, found_s),
+                "its step or its duration is wrong: get the file again");
 }
 
 double stated_unit(const RecordText& file, const std::string& text, std::size_t line,
@@ -383,9 +406,11 @@ std::string plain_direction(std::string_view direction) {
   const auto is_one_of = [&](std::initializer_list<std::string_view> names) {
     return std::ranges::find(names, lower) != names.end();
   };
-  if (is_one_of({"n-s", "ns", "n", "hnn", "hln", "bnn", "north"})) return "0";
-  if (is_one_of({"e-w", "ew", "we", "w-e", "e", "hne", "hle", "bne", "east"})) return "90";
-  if (is_one_of({"u-d", "ud", "up", "u", "z", "v", "hnz", "hlz", "bnz", "vertical", "vert"}))
+  const auto seed = seed_channel(lower);
+  const char toward = seed ? seed->orientation : '\0';
+  if (toward == 'N' || is_one_of({"n-s", "ns", "n", "north"})) return "0";
+  if (toward == 'E' || is_one_of({"e-w", "ew", "we", "w-e", "e", "east"})) return "90";
+  if (toward == 'Z' || is_one_of({"u-d", "ud", "up", "u", "z", "v", "vertical", "vert"}))
     return "UP";
   const auto angle = first_number(lower);
   const bool north = lower.starts_with('n'), south = lower.starts_with('s'),
@@ -395,6 +420,28 @@ std::string plain_direction(std::string_view direction) {
                                            : std::string(trimmed(direction));
   const double a = angle->value;
   return shortest_decimal(south ? (west ? 180.0 + a : 180.0 - a) : (west ? 360.0 - a : a));
+}
+
+std::optional<SeedChannel> seed_channel(std::string_view code) {
+  std::string letters(code.substr(0, 5));
+  for (char& c : letters) c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
+  const bool has_location = code.size() == 5 && is_digit(code[3]) && is_digit(code[4]);
+  if (code.size() != 3 && !has_location) return std::nullopt;
+  const auto is_in = [](char c, std::string_view set) { return set.find(c) != set.npos; };
+  const bool is_channel =
+      is_in(letters[0], "FGDCESHBL") && is_in(letters[1], "NLGHP") && is_in(letters[2], "NEZ123");
+  return is_channel ? std::optional(SeedChannel{letters[1], letters[2]}) : std::nullopt;
+}
+
+void refuse_seismometer(const RecordText& file, std::string_view channel) {
+  const auto seed = seed_channel(channel);
+  if (!seed || (seed->instrument != 'H' && seed->instrument != 'P')) return;
+  refuse_record(file,
+                fmt::format("channel {} is that of a seismometer, and nothing says that it holds "
+                            "accelerations",
+                            in_quotes(channel)),
+                "give the channel of an accelerometer (HN.), or accelerations by a file that says "
+                "so (SAC: IDEP = IACC)");
 }
 
 ChannelLine channel_line(std::string_view line) {
@@ -466,6 +513,9 @@ FileComponent file_component(const RecordText& file, std::string name, double dt
   component.record.name = file.path.string();
   component.record.dt_s = dt_s;
   component.record.acceleration_mps2 = std::move(samples_mps2);
+  if (file.zero_bytes > 0)
+    component.record.notes.push_back(fmt::format(
+        "ends with {} bytes of 0, which are left out: is the file whole?", file.zero_bytes));
   return component;
 }
 

@@ -50,6 +50,9 @@ double parse_finite(const RecordText& file, std::size_t line, std::string_view t
                     const char* what);
 /// Up to most_samples.
 void add_number(const RecordText& file, double value, std::vector<double>& values);
+/// Adds a component of a file, which has up to most_samples in all of them.
+void add_component(const RecordText& file, FileComponent component,
+                   std::vector<FileComponent>& components);
 /// Adds what a token states in units of so many m/s2.
 void add_sample(const RecordText& file, std::size_t line, std::string_view token, double unit_mps2,
                 std::vector<double>& samples_mps2);
@@ -76,8 +79,8 @@ struct TimedSamples {
 /// Takes the fields of a line.
 void add_pairs(const RecordText& file, std::size_t line, const std::vector<std::string_view>& row,
                double unit_mps2, TimedSamples& pairs);
-/// Their step, or that of a header or of the options, with which they agree; a step other than those
-/// between printed times is a note. InputError also where the times are those of a spectrum.
+/// Their step, or that of a header or of the options, with which they agree; a step other than
+/// those between printed times is a note. InputError also where the times are those of a spectrum.
 double step_of_rows(const RecordText& file, const TimedSamples& rows, const At2Header& stated,
                     const RecordFileOptions& options, std::vector<std::string>& notes);
 /// InputError where the times are uneven, as most are.
@@ -102,7 +105,7 @@ class HeaderLines {
  public:
   /// "KEY: value" lines, up to the first line without a colon.
   static HeaderLines with_colons(LineReader& lines);
-  /// Keys in the first `width` columns; so many lines.
+  /// Keys in the first `width` columns, or before a comma there; so many lines.
   static HeaderLines in_columns(LineReader& lines, std::size_t width, std::size_t count);
   /// nullptr: absent, or without a value.
   const HeaderLine* find(std::string_view key) const;
@@ -125,6 +128,10 @@ double stated_step(const std::string& where, const std::string& text, std::optio
                    const RecordFileOptions& options);
 double stated_step(const RecordText& file, const HeaderLine& stated,
                    const RecordFileOptions& options);
+/// InputError unless a duration that a header states is that of its samples, to `tolerance_s` and
+/// 2 %: otherwise its step or its count is wrong.
+void check_duration(const std::string& where, double stated_s, double dt_s, std::size_t samples,
+                    double tolerance_s);
 /// m/s2 of the unit a header states; the options must agree.
 double stated_unit(const RecordText& file, const std::string& text, std::size_t line,
                    const RecordFileOptions& options);
@@ -154,6 +161,15 @@ void check_readable(const Record& record);
 /// "0" of "N-S", "280" of "N80W", "90" of "90 Deg" and "HNE", "UP" of "Up" and "U-D"; others as
 /// they are. For comparing the components of a record.
 std::string plain_direction(std::string_view direction);
+
+/// A channel by SEED, "HNE", also with its location behind it, "BH100" (SEED 2.4, appendix A).
+struct SeedChannel {
+  char instrument;   ///< N an accelerometer (also L, G), H a seismometer, P a geophone
+  char orientation;  ///< N, E, Z, or 1, 2, 3
+};
+std::optional<SeedChannel> seed_channel(std::string_view code);
+/// InputError for the channel of a seismometer, of a file that does not say acceleration.
+void refuse_seismometer(const RecordText& file, std::string_view channel);
 
 /// What a line states of a channel: "Chan  2:  Up  (Sta Chn: 14)  Location: Roof, center".
 struct ChannelLine {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <memory>
 #include <span>
 #include <string>
 #include <string_view>
@@ -15,7 +16,10 @@ namespace glissade {
 /// A record file in memory.
 struct RecordText {
   std::filesystem::path path;
-  std::string text;  ///< in UTF-8, also of a file in UTF-16 or Latin-1; or bytes, of a binary file
+  /// In UTF-8, also of a file in UTF-16 or Latin-1; or bytes, of a binary file.
+  std::string_view text;
+  std::size_t zero_bytes = 0;                   ///< behind the end of a text, left out
+  std::shared_ptr<const std::string> own = {};  ///< what `text` is in, where it was changed
 
   std::string at(std::size_t line) const;  ///< "file:line"; the file where 0, no line, is meant
   std::string_view first_line() const;
@@ -41,14 +45,16 @@ struct RecordFormat {
 // One source file each, in the folder of its family.
 extern const RecordFormat sac_format, miniseed_format, foreign_format, nied_format, dyna_format,
     esd_format, afad_format, cosmos_format, csmip_format, smc_format, usc_format, bhrc_format,
-    asa_format, geonet_format, cwb_format, at2_format, headed_column_format, table_format,
-    column_format;
+    asa_format, geonet_format, cwb_format, csmnc_format, at2_format, headed_column_format,
+    table_format, column_format;
 
 /// The first that matches reads a file; the last matches any text.
 std::span<const RecordFormat* const> record_formats();
 
-/// As a spreadsheet or DOS leaves it: UTF-16, lines that end with \r alone, an end-of-file mark.
-RecordText record_text(const std::filesystem::path& file, std::string bytes);
+/// As a spreadsheet or DOS leaves it: UTF-16, lines that end with \r alone, an end-of-file mark,
+/// bytes of 0 behind the end. InputError for bytes that are no text and of no binary format.
+/// @param bytes used as long as the text is
+RecordText record_text(const std::filesystem::path& file, std::string_view bytes);
 /// Throws InputError where the file is no text, and of no binary format.
 const RecordFormat& format_of(const RecordText& record);
 

@@ -12,10 +12,10 @@ namespace {
 
 // Binary files first; then by the marks of their headers; what has none last.
 constexpr const RecordFormat* formats_in_order[] = {
-    &sac_format, &miniseed_format,      &foreign_format, &nied_format,   &dyna_format,
-    &esd_format, &afad_format,          &cosmos_format,  &csmip_format,  &smc_format,
-    &usc_format, &bhrc_format,          &asa_format,     &geonet_format, &cwb_format,
-    &at2_format, &headed_column_format, &table_format,   &column_format};
+    &sac_format,   &miniseed_format, &foreign_format,       &nied_format,   &dyna_format,
+    &esd_format,   &afad_format,     &cosmos_format,        &csmip_format,  &smc_format,
+    &usc_format,   &bhrc_format,     &asa_format,           &geonet_format, &cwb_format,
+    &csmnc_format, &at2_format,      &headed_column_format, &table_format,  &column_format};
 
 std::string without_blanks(std::string_view name) {
   std::string plain = lower_case(name);
@@ -39,14 +39,37 @@ std::string listed_components(const std::vector<FileComponent>& components) {
 
 std::span<const RecordFormat* const> record_formats() { return formats_in_order; }
 
-RecordText record_text(const std::filesystem::path& file, std::string bytes) {
-  RecordText record{file, std::move(bytes)};
-  if (is_utf16(record.text)) record.text = from_utf16(record.text);
-  if (record.text.ends_with('\x1a')) record.text.pop_back();
-  const bool is_text = record.text.find('\0') == std::string::npos;
-  if (is_text && !is_utf8(record.text)) record.text = from_latin1(record.text);
-  if (is_text && record.text.find('\n') == std::string::npos)
-    std::ranges::replace(record.text, '\r', '\n');
+RecordText record_text(const std::filesystem::path& file, std::string_view bytes) {
+  RecordText record{file, bytes};
+  const auto change = [&](std::string text) {
+    record.own = std::make_shared<const std::string>(std::move(text));
+    record.text = *record.own;
+  };
+  const auto refuse_if_empty = [&](const std::string& text) {
+    if (text.empty()) refuse_record(record, "is no text", "give a text file in UTF-8");
+  };
+  if (is_utf16(record.text)) {
+    std::string text = from_utf16(record.text);
+    refuse_if_empty(text);
+    change(std::move(text));
+  }
+  constexpr std::string_view behind_end("\0\x1a", 2);
+  const std::size_t end = record.text.find_last_not_of(behind_end) + 1;
+  const bool is_text = end > 0 && record.text.substr(0, end).find('\0') == std::string_view::npos;
+  if (!is_text) return record;
+  record.zero_bytes = static_cast<std::size_t>(std::ranges::count(record.text.substr(end), '\0'));
+  record.text = record.text.substr(0, end);
+  if (!is_utf8(record.text)) {
+    std::string text = from_latin1(record.text);
+    refuse_if_empty(text);
+    change(std::move(text));
+  }
+  if (record.text.find('\n') == std::string_view::npos &&
+      record.text.find('\r') != std::string_view::npos) {
+    std::string text(record.text);
+    std::ranges::replace(text, '\r', '\n');
+    change(std::move(text));
+  }
   return record;
 }
 

@@ -11,8 +11,8 @@ namespace {
 
 bool is_asa(const RecordText& file) {
   constexpr std::size_t looked_at = 1000;
-  return lower_case(std::string_view(file.text).substr(0, looked_at))
-             .find("archivo estandar de aceleracion") != std::string::npos;
+  return lower_case(file.text.substr(0, looked_at)).find("archivo estandar de aceleracion") !=
+         std::string::npos;
 }
 
 /// What stands behind a key; the second line of coordinates under "KEY 2".

@@ -51,6 +51,9 @@ std::vector<FileComponent> read_dyna(const RecordText& file, const RecordFileOpt
   const double dt_s = stated_step(file, step, options);
   std::vector<double> samples = read_rest(file, lines, unit_mps2);
   check_stated_count(file, count, samples.size());
+  if (const HeaderLine* duration = header.find("DURATION_S"))
+    if (const auto stated_s = fortran_number(duration->value))
+      check_duration(file.at(duration->line), *stated_s, dt_s, samples.size(), 2.0 * dt_s);
   const std::string stream = header.value("STREAM");
   return {file_component(file, stream, dt_s, std::move(samples),
                          dyna_header(header, plain_direction(stream)))};

@@ -110,9 +110,10 @@ void refuse_header(const Record& record, double unit_mps2,
 At2Header comments_of(const RecordText& file) {
   At2Header header;
   LineReader reader(file.text);
-  while (reader.next() && is_blank_or_comment(reader.line())) {
+  constexpr std::size_t most_lines = 1000;
+  while (reader.number() < most_lines && reader.next() && is_blank_or_comment(reader.line())) {
     read_header_line(reader.line(), reader.number(), header);
-    const std::string heading(without_comment_mark(reader.line()));
+    const std::string heading(without_comment_mark(reader.line().substr(0, most_lines)));
     if (const auto column = spectrum_column(table_columns({heading}, ' ', 2)); !column.empty())
       refuse_spectrum(file.at(reader.number()), column);
   }

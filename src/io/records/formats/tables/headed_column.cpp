@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // One column of accelerations below two lines: a name, and "npts dt", as eqsig writes it
-// (eqsig 1.2, load_values_and_dt, 2021); or a count, and the step.
+// (eqsig 1.2, load_values_and_dt, 2021); or a count, and the step. Rows of time and acceleration
+// below one line "npts dt", as DEEPSOIL has them (DEEPSOIL 7, user manual, 2020).
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "records/formats/reading.hpp"
@@ -63,10 +65,48 @@ std::optional<TwoLines> two_lines(const RecordText& file) {
   return TwoLines{"", *count, *dt_s, std::string(trimmed(lines.line()))};
 }
 
-bool is_headed_column(const RecordText& file) { return two_lines(file).has_value(); }
+/// "npts dt" above rows whose times have that step.
+std::optional<At2Header> count_above_rows(const RecordText& file) {
+  std::vector<std::vector<std::string_view>> lines;
+  for (LineReader reader(file.text); lines.size() < 3 && reader.next();)
+    lines.push_back(fields(reader.line()));
+  if (lines.size() < 3 || std::ranges::any_of(lines, [](auto& line) { return line.size() != 2; }))
+    return std::nullopt;
+  const auto number = [&](std::size_t line, std::size_t at) {
+    return fortran_number(lines[line][at]).value_or(-1.0);
+  };
+  const double count = number(0, 0), dt_s = number(0, 1), step_s = number(2, 0) - number(1, 0);
+  if (!is_whole(count) || !(dt_s > 0.0 && dt_s <= 1.0) || std::abs(step_s - dt_s) > 0.1 * dt_s)
+    return std::nullopt;
+  At2Header header;
+  header.npts = static_cast<std::uint64_t>(count);
+  header.dt_text = lines[0][1];
+  header.dt_s = dt_s;
+  header.npts_line = header.dt_line = 1;
+  return header;
+}
+
+std::vector<FileComponent> read_counted_rows(const RecordText& file, const At2Header& header,
+                                             const RecordFileOptions& options) {
+  const double unit_mps2 = stated_unit(file, "", 0, options);
+  LineReader lines(file.text);
+  lines.next();
+  TimedSamples rows;
+  while (lines.next()) add_pairs(file, lines.number(), fields(lines.line()), unit_mps2, rows);
+  check_at2_count(file.path, header, rows.samples_mps2.size());
+  FileComponent component = file_component(file, "", 0.0, {});
+  component.record.dt_s = step_of_rows(file, rows, header, options, component.record.notes);
+  component.record.acceleration_mps2 = std::move(rows.samples_mps2);
+  return {std::move(component)};
+}
+
+bool is_headed_column(const RecordText& file) {
+  return two_lines(file).has_value() || count_above_rows(file).has_value();
+}
 
 std::vector<FileComponent> read_headed_column(const RecordText& file,
                                               const RecordFileOptions& options) {
+  if (const auto header = count_above_rows(file)) return read_counted_rows(file, *header, options);
   const TwoLines two = *two_lines(file);
   // With a step that is given the file is one column, whose reader knows a header.
   if (two.name.empty() && options.dt_s) return column_format.read(file, options);

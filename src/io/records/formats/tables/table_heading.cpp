@@ -104,6 +104,10 @@ std::vector<std::string_view> table_cells(std::string_view line, char separator)
   line = trimmed(line);
   std::vector<std::string_view> cells;
   while (!line.empty()) {
+    if (cells.size() + 1 == most_fields) {
+      cells.push_back(line);
+      return cells;
+    }
     const std::size_t closing = line.front() == '"' ? line.find('"', 1) : line.npos;
     const std::size_t from = closing == line.npos ? 0 : closing;  // a separator in quotes is none
     const std::size_t end =

@@ -96,16 +96,20 @@ std::optional<TableShape> find_table(const RecordText& file) {
     const std::string_view line = lines.line();
     if (trimmed(line).empty()) continue;
     if (line.size() > longest_line) return std::nullopt;
+    if (is_blank_or_comment(line)) {
+      table.above.push_back({line, lines.number()});
+      continue;
+    }
     table.style = is_decimal_comma_column(lines) ? TableStyle{' ', true} : style_of(line);
     table.is_number = numbers_of(line, table.style);
     const auto numbers = std::ranges::count(table.is_number, true);
     const bool is_all = all_of_them(table.is_number);
-    if (!is_blank_or_comment(line) && (is_all ? numbers > 0 : numbers > 1)) {
+    if (is_all ? numbers > 0 : numbers > 1) {
       table.first_row = lines.number();
       if (goes_on(lines, table.style, table.is_number)) return table;
       if (is_all) return std::nullopt;  // a header of numbers, or rows of several shapes
     }
-    table.has_text_above = table.has_text_above || !is_blank_or_comment(line);
+    table.has_text_above = true;
     table.above.push_back({line, lines.number()});
   }
   return std::nullopt;

@@ -99,6 +99,10 @@ FileComponent cosmos_component(const RecordText& file, LineReader& lines,
                                   channel.dt_s, options);
   const std::size_t count =
       stated_count(file, {"the count of values", line.substr(0, line.find("pts")), lines.number()});
+  constexpr double rounding_s = 1.5;
+  const std::size_t approx = line.find("approx");
+  if (const auto length_s = approx == line.npos ? std::nullopt : first_number(line, approx))
+    check_duration(file.at(lines.number()), length_s->value, dt_s, count, rounding_s);
   RecordHeader header = channel.header;
   header.station = channel.station;
   take_channel(header, channel.line);
@@ -122,7 +126,7 @@ std::vector<FileComponent> read_cosmos(const RecordText& file, const RecordFileO
     if (lower.find("pts, approx") == std::string::npos) {
       read_cosmos_line(file, lines, channel);
     } else if (lower.find("accel") != std::string::npos) {
-      components.push_back(cosmos_component(file, lines, channel, options));
+      add_component(file, cosmos_component(file, lines, channel, options), components);
     } else {
       other = channel.kind;
     }

@@ -4,8 +4,11 @@
 // (Shakal & Huang 1985, CDMG "Standard Tape Format for CSMIP Strong-Motion Data Tapes", OSMS
 // 85-03); since 2000 "N Accelerogram points at 200 pts/sec in units of g. Format: (8f9.6)".
 // Corrected files of USC (Volume II) have the same blocks, "N POINTS OF ACC DATA ...".
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "records/formats/reading.hpp"
 
@@ -45,12 +48,17 @@ std::string csmip_unit(const std::string& lower) {
   return "";
 }
 
+/// The number behind a word.
+std::optional<double> csmip_number(const std::string& lower, std::string_view word) {
+  const auto found = first_number(lower, lower.find(word));
+  return found ? std::optional(found->value) : std::nullopt;
+}
+
 /// Seconds of "equally spaced at .005 sec" or "points at 200 pts/sec".
 std::optional<double> csmip_step_s(const std::string& lower) {
   const bool is_rate = lower.find("pts/sec") != std::string::npos;
-  const auto stated = first_number(lower, lower.find(is_rate ? "points at" : "spaced at"));
-  if (!stated) return std::nullopt;
-  return is_rate ? 1.0 / stated->value : stated->value;
+  const auto stated = csmip_number(lower, is_rate ? "points at" : "spaced at");
+  return stated && is_rate ? std::optional(1.0 / *stated) : stated;
 }
 
 /// The width of the fields, where the line above them states no format: one at which they are
@@ -71,6 +79,7 @@ struct CsmipChannel {
   ChannelLine line;
   RecordHeader stated;
   bool corrected = false;
+  std::optional<double> dt_s;  ///< of the text, which the line above a block states again
 };
 
 void read_csmip_line(std::string_view line, const std::string& lower, CsmipChannel& channel) {
@@ -92,6 +101,8 @@ void read_csmip_line(std::string_view line, const std::string& lower, CsmipChann
     state_magnitude(stated, line, {{"mw", "Mw"}, {"ms", "Ms"}, {"ml", "ML"}, {"magnitude", "M"}});
   else if (lower.starts_with("peak acceleration") && lower.find("cms/sec/sec") != lower.npos)
     stated.unit = "cm/sec/sec";  // of a block that states none
+  else if (lower.starts_with("at equally-spaced intervals of"))
+    channel.dt_s = csmip_number(lower, "intervals of");
   else if (lower.starts_with("/&"))
     channel = {};
 }
@@ -103,7 +114,14 @@ FileComponent csmip_component(const RecordText& file, LineReader& lines, const s
   if (std::string unit = csmip_unit(lower); !unit.empty()) stated.unit = std::move(unit);
   stated.is_processed = channel.corrected;
   const double unit_mps2 = stated_unit(file, stated.unit, line, options);
-  const double dt_s = stated_step(file.at(line), in_quotes(lower), csmip_step_s(lower), options);
+  const std::optional<double> step_s = csmip_step_s(lower);
+  constexpr double rounding = 0.02;
+  if (step_s && channel.dt_s && !(std::abs(*step_s - *channel.dt_s) <= rounding * *step_s))
+    refuse_record(file.at(line),
+                  fmt::format("states a step of {:g} s, and its header one of {:g} s", *step_s,
+                              *channel.dt_s),
+                  "the file contradicts itself: get it again, or find out which step is right");
+  const double dt_s = stated_step(file.at(line), in_quotes(lower), step_s, options);
   const std::size_t count =
       stated_count(file, {"the count of points", lower.substr(0, lower.find("points")), line});
   const std::size_t width = stated_width > 0 ? stated_width : csmip_width(lines);
@@ -122,7 +140,7 @@ std::vector<FileComponent> read_csmip(const RecordText& file, const RecordFileOp
   for (LineReader lines(file.text); lines.next();) {
     const std::string lower = lower_case(trimmed(lines.line().substr(0, 200)));
     if (csmip_quantity(lower) == "acc")
-      components.push_back(csmip_component(file, lines, lower, channel, options));
+      add_component(file, csmip_component(file, lines, lower, channel, options), components);
     else
       read_csmip_line(lines.line(), lower, channel);
   }

@@ -84,9 +84,11 @@ std::vector<FileComponent> read_geonet(const RecordText& file, const RecordFileO
     header.direction = plain_direction(text.name);
     header.unit = text.unit;
     header.is_processed = text.title.starts_with("Corrected");
-    components.push_back(file_component(file, text.name, dt_s,
-                                        read_block(file, lines, {count, geonet_width, unit_mps2}),
-                                        std::move(header)));
+    add_component(file,
+                  file_component(file, text.name, dt_s,
+                                 read_block(file, lines, {count, geonet_width, unit_mps2}),
+                                 std::move(header)),
+                  components);
     if (text.title.starts_with("Uncorrected"))
       components.back().record.notes.emplace_back("GeoNet V1A: uncorrected accelerogram");
   }

@@ -105,8 +105,9 @@ std::vector<FileComponent> volume_one_components(const RecordText& file,
     stated.direction = plain_direction(header->name);
     stated.unit = header->unit;
     stated.is_processed = false;
-    components.push_back(
-        file_component(file, header->name, dt_s, std::move(samples_mps2), std::move(stated)));
+    add_component(
+        file, file_component(file, header->name, dt_s, std::move(samples_mps2), std::move(stated)),
+        components);
     components.back().record.notes.emplace_back("uncorrected accelerogram (Volume I)");
   }
   if (components.empty()) refuse_record(file, "has no component", cut_short);

@@ -21,7 +21,7 @@ namespace {
 
 bool is_miniseed(const RecordText& file) {
   constexpr std::size_t fixed_header = 48;
-  const std::string& bytes = file.text;
+  const std::string_view bytes = file.text;
   if (bytes.size() < fixed_header) return false;
   for (std::size_t i = 0; i < 6; ++i)
     if (bytes[i] != ' ' && (bytes[i] < '0' || bytes[i] > '9')) return false;
@@ -97,8 +97,9 @@ std::vector<MseedChannel> mseed_channels(const RecordText& file) {
   // Its messages would go to standard error.
   const auto silent = [](char*) {};
   ms_loginit(silent, nullptr, silent, nullptr);
-  std::string bytes = file.text;
+  std::string bytes(file.text);
   std::vector<MseedChannel> channels;
+  std::size_t samples = 0;
   for (std::size_t at = 0; at + MINRECLEN <= bytes.size();) {
     const MseedRecord record = parse_mseed(file, bytes, at);
     at += static_cast<std::size_t>(record->reclen);
@@ -111,6 +112,10 @@ std::vector<MseedChannel> mseed_channels(const RecordText& file) {
       channel = channels.end() - 1;
     }
     check_continues(file, *channel, *record);
+    samples += static_cast<std::size_t>(record->numsamples);
+    if (samples > most_samples)
+      refuse_record(file, fmt::format("has more than {} samples in all channels", most_samples),
+                    "give a file for each channel");
     append_mseed(file, *channel, *record);
     channel->end = msr_endtime(record.get());
   }
@@ -129,14 +134,15 @@ std::vector<FileComponent> read_miniseed(const RecordText& file, const RecordFil
       stated.units = AccelerationUnits::mps2;
       stated.counts_per_unit = gain->counts_per_mps2;
     }
+    const std::string code = channel.name.substr(channel.name.rfind('_') + 1);
+    if (!gain) refuse_seismometer(file, code);
     const double unit_mps2 = stated_unit(file, channel.is_counts ? "counts" : "", 0, stated);
     const double step_s = channel.rate_hz > 0.0 ? to_twelve_digits(1.0 / channel.rate_hz) : 0.0;
     const double dt_s = stated_step(file.path.string(), shortest_decimal(step_s), step_s, options);
     std::vector<double> samples;
     for (const double value : channel.values) add_value(file, value, unit_mps2, samples);
-    const std::string code = channel.name.substr(channel.name.rfind('_') + 1),
-                      direction = gain && !gain->direction.empty() ? gain->direction
-                                                                   : plain_direction(code);
+    const std::string direction =
+        gain && !gain->direction.empty() ? gain->direction : plain_direction(code);
     RecordHeader header{"", channel.name.substr(0, channel.name.rfind('_')), direction,
                         channel.is_counts ? "counts" : ""};
     if (channel.is_counts) header.is_processed = false;
