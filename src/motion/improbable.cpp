@@ -57,6 +57,19 @@ std::vector<std::string> improbable_values(const Motion& motion, bool of_roof) {
   };
   const auto& [first, second] = motion.horizontal_mps2;
   if (first == second) found.emplace_back("the same motion as both horizontal components");
+  const auto check_signs = [&](const Samples& a, const char* component) {
+    constexpr std::size_t least = 50;
+    if (a.size() < least) return;
+    const auto [low, high] = std::ranges::minmax_element(a);
+    if (*low != *high && (*low >= 0.0 || *high <= 0.0))
+      found.push_back(fmt::format(
+          "no sample of its {} component is {} 0: an offset of the recorder, or a spectrum and no "
+          "record",
+          component, *low >= 0.0 ? "below" : "above"));
+  };
+  check_signs(first, "first");
+  check_signs(second, "second");
+  check_signs(motion.vertical_mps2, "vertical");
   if (!motion.vertical_mps2.empty() &&
       (motion.vertical_mps2 == first || motion.vertical_mps2 == second))
     found.emplace_back("the same motion as vertical and as horizontal component");

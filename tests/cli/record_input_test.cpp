@@ -59,6 +59,11 @@ TEST_F(RecordInput, that_is_wrong_is_reported_by_its_line_and_the_options) {
                       {"--dt-s", "0.01"});
   expect_text_refused("column.txt", "0.1\n0.2\n", {"furlong", "m/s2"},
                       {"--dt-s", "0.01", "--units", "furlong"});
+  expect_text_refused("column.txt", "0.1\n0.2\n", {"column.txt", "--units", "--dt-s"});
+  expect_text_refused("step.txt", "dt=0.005\nacc: m/s2\n0.1\n0.2\n",
+                      {"step.txt:1", "0.005", "--dt-s"}, {"--dt-s", "0.01"});
+  expect_text_refused("sa.csv", "period_s,sa_g\n0,0.1\n0.05,0.2\n0.1,0.1\n",
+                      {"sa.csv:2", "'period_s'", "spectrum"});
   expect_text_refused("still.txt", "0\n0\n", {"still.txt", "--pga-g"},
                       {"--dt-s", "0.01", "--pga-g", "1", "--units", "g"});
   expect_text_refused("binary.sac", std::string("\0\1\2\3", 4), {"binary.sac", "not a text file"});

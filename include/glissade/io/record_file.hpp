@@ -53,15 +53,16 @@ ComponentAddress split_address(const std::string& name);
 /// - two columns: time (s) and acceleration, separated by blanks, tabs or a comma. The times must
 /// be evenly spaced to the decimals they are printed with; the step is (last - first) / (n - 1), to
 /// the fewest decimals that give the last time, or a whole rate that does (1/256 s).
-/// In text files `#` begins a comment. Comments before the first sample may state units ("# units:
-/// m/s2", "# time_s acceleration_g"), the step ("# DT = 0.01") and the number of samples ("# NPTS =
-/// 5590").
+/// In text files `#` begins a comment. Lines above the first sample may state units ("units: m/s2",
+/// "# time_s acceleration_g"), the step ("DT = 0.01", "Sampling rate: 100 Hz") and the number of
+/// samples ("npts: 5590").
 ///
 /// Throws InputError (file:line, value, rule, what to do) for anything else, for values that are no
 /// finite numbers, for counts that differ from the stated ones, for units that are not stated, for
-/// velocities and displacements, and for a column that begins with its count or its step. The
-/// options have the names of a suite's keys there: dt_s, units, counts_per_unit. What was found or
-/// changed in reading is in the record's notes.
+/// velocities, displacements and spectra, for channels of seismometers that do not state
+/// acceleration, and for a column that begins with its count or its step. The options have the
+/// names of a suite's keys there: dt_s, units, counts_per_unit. What was found or changed in
+/// reading is in the record's notes.
 Record read_record(const std::filesystem::path& file, const RecordFileOptions& options = {});
 
 /// Clockwise from north, where the file of a horizontal component states it.

@@ -46,6 +46,16 @@ TEST(improbable_values, name_what_no_recorded_motion_has_shown) {
   EXPECT_THAT(improbable_values(drifts), ElementsAre(states("PGV"), states("PGD")));
 }
 
+TEST(improbable_values, name_a_component_without_a_change_of_sign) {
+  Motion spectrum = plausible();
+  std::vector<double> positive = spectrum.horizontal_mps2[0].copy();
+  for (double& a : positive) a = std::abs(a);
+  spectrum.horizontal_mps2[0] = positive;
+  EXPECT_THAT(
+      improbable_values(spectrum),
+      ElementsAre(states("first component", "below 0", "spectrum"), states("PGV"), states("PGD")));
+}
+
 TEST(improbable_values, name_a_factor_that_no_selection_gives) {
   Motion scaled = plausible();
   scaled.scale = 6.0;
