@@ -127,7 +127,8 @@ std::vector<FileComponent> read_columns(const RecordText& file, const RecordFile
   double unit_mps2 = 1.0;
   std::vector<std::size_t> decimals;
   LineReader reader(file.text);
-  while (reader.next()) {
+  constexpr std::size_t most_lines_above = 100'000;
+  while (reader.next() && (columns > 0 || reader.number() <= most_lines_above)) {
     if (is_blank_or_comment(reader.line())) continue;
     const std::vector<std::string_view> parts = fields(reader.line());
     const std::size_t line = reader.number();
@@ -149,7 +150,12 @@ std::vector<FileComponent> read_columns(const RecordText& file, const RecordFile
     add_sample(file, line, parts.back(), unit_mps2, rows.samples_mps2);
     if (columns == 1 && decimals.size() < judged) decimals.push_back(decimals_of(parts.back()));
   }
-  if (columns == 0) refuse_record(file, "the file holds no samples", what_is_read);
+  if (columns == 0)
+    refuse_record(file,
+                  reader.number() > most_lines_above
+                      ? fmt::format("holds no samples in its first {} lines", most_lines_above)
+                      : "the file holds no samples",
+                  what_is_read);
   if (header.npts) check_at2_count(file.path, header, rows.samples_mps2.size());
   FileComponent component = file_component(file, "", 0.0, {});
   component.header.unit = header.units;
