@@ -118,11 +118,8 @@ std::vector<double> levels_around(double sds_g) {
 /// That of the study, else of its suite.
 std::optional<DesignTarget> target_of(const StudyConfig& study) {
   if (study.intensity.target) return study.intensity.target;
-  try {
-    return read_stated_target(study.suite_files.front()).target;
-  } catch (const InputError&) {
-    return std::nullopt;  // none, which check says
-  }
+  const auto stated = find_stated_target(study.suite_files.front());
+  return stated ? std::optional(stated->target) : std::nullopt;
 }
 
 /// The option whose value a problem of the file is about.
@@ -152,13 +149,15 @@ std::optional<DesignTarget> write_checked(const InitOptions& o, ExampleFile& exa
       const std::string text = (o.is_project() ? "" : study_head) + example.text();
       file.resize(0);
       file.write_at(0, text);
+      std::optional<StudyConfig> study;
       with_changed_problems([](Problem& problem) { problem.where = option_of(problem.what); },
                             [&] {
                               if (o.is_project())
                                 static_cast<void>(read_project(partial));
                               else
-                                target = target_of(read_study(partial));
+                                study = read_study(partial);
                             });
+      if (study) target = target_of(*study);
     };
     write();
     if (!target) return;

@@ -10,6 +10,7 @@
 #include <system_error>
 
 #include "glissade/core/error.hpp"
+#include "glissade/core/input_file.hpp"
 #include "glissade/core/output_file.hpp"
 
 namespace glissade {
@@ -19,10 +20,9 @@ namespace fs = std::filesystem;
 // By the calls of the system: std::filesystem::directory_iterator ends the program where memory
 // ends (libstdc++ 12).
 std::vector<fs::path> files_in(const fs::path& folder) {
-  std::error_code ignored;
-  if (!fs::exists(folder, ignored)) return {};
+  if (!fs::exists(status_of(folder))) return {};
   const std::unique_ptr<DIR, int (*)(DIR*)> list(opendir(folder.c_str()), closedir);
-  if (list == nullptr) throw_io_error(folder, "cannot be listed", errno);
+  if (list == nullptr) throw_read_error(folder, "cannot be listed", errno);
   std::vector<fs::path> files;
   errno = 0;
   while (const dirent* entry = readdir(list.get())) {
@@ -30,7 +30,7 @@ std::vector<fs::path> files_in(const fs::path& folder) {
     if (name != "." && name != "..") files.push_back(folder / name);
     errno = 0;
   }
-  if (errno != 0) throw_io_error(folder, "cannot be listed", errno);
+  if (errno != 0) throw_read_error(folder, "cannot be listed", errno);
   std::ranges::sort(files);
   return files;
 }
@@ -44,8 +44,7 @@ void remove_file(const fs::path& file) {
 namespace {
 
 void check_own(const fs::path& path, fs::file_type type, const char* fault) {
-  std::error_code ignored;
-  const fs::file_status status = fs::symlink_status(path, ignored);
+  const fs::file_status status = link_status_of(path);
   if (!fs::exists(status) || status.type() == type) return;
   throw InputError({path.string(), fs::is_symlink(status) ? "is a link" : fault,
                     "move it away, or give another folder", ""});

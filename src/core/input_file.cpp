@@ -14,6 +14,34 @@ namespace glissade {
 
 namespace fs = std::filesystem;
 
+namespace {
+
+/// The status that `read` gives; none where the path is that of no file.
+fs::file_status known_status(const fs::path& path,
+                             fs::file_status (*read)(const fs::path&, std::error_code&)) {
+  std::error_code error;
+  const fs::file_status status = read(path, error);
+  if (status.type() != fs::file_type::none) return status;
+  if (error.value() == ELOOP || error.value() == ENAMETOOLONG)
+    return fs::file_status(fs::file_type::not_found);
+  throw_read_error(path, "cannot be looked up", error.value());
+}
+
+}  // namespace
+
+fs::file_status status_of(const fs::path& path) { return known_status(path, fs::status); }
+
+fs::file_status link_status_of(const fs::path& path) {
+  return known_status(path, fs::symlink_status);
+}
+
+fs::path real_path(const fs::path& path) {
+  std::error_code error;
+  fs::path real = fs::canonical(path, error);
+  if (error) throw_read_error(path, "cannot be looked up", error.value());
+  return real;
+}
+
 bool leads_to_an_open_file(fs::path path) {
   std::error_code ignored;
   while (fs::is_symlink(path, ignored)) {
@@ -64,9 +92,7 @@ void InputFile::seek(std::uint64_t offset) const {
 }
 
 void InputFile::fail(int error_number) const {
-  throw InputError({path_.string(),
-                    "cannot be read: " + std::generic_category().message(error_number),
-                    "check that the file exists and that you may read it", ""});
+  throw_read_error(path_, "cannot be read", error_number);
 }
 
 }  // namespace glissade

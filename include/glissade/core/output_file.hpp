@@ -7,11 +7,9 @@
 #include <string>
 #include <string_view>
 
-namespace glissade {
+#include "glissade/core/io_error.hpp"
 
-/// An InputError of a file that cannot be written: the system's reason and what to do.
-[[noreturn]] void throw_io_error(const std::filesystem::path& path, const std::string& doing,
-                                 int error_number);
+namespace glissade {
 
 /// Owns an open file descriptor; `close` reports the error of a delayed write. Every failure is an
 /// InputError.

@@ -31,7 +31,10 @@ struct StatedTarget {
   DesignTarget target;
   std::filesystem::path spectrum_file;
 };
-/// That of a project's [site] or of a suite's [target]. Throws InputError.
+/// That of a project's [site] or of a suite's [target]; nothing where the file has neither. Throws
+/// InputError.
+std::optional<StatedTarget> find_stated_target(const std::filesystem::path& file);
+/// The same, which the file must have.
 StatedTarget read_stated_target(const std::filesystem::path& file);
 
 /// A file of a recorded suite.

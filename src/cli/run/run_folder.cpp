@@ -13,6 +13,7 @@
 #include "glissade/core/bytes.hpp"
 #include "glissade/core/file.hpp"
 #include "glissade/core/folder.hpp"
+#include "glissade/core/input_file.hpp"
 #include "glissade/io/results_file.hpp"
 #include "glissade/io/study_file.hpp"
 #include "glissade/report/report_files.hpp"
@@ -90,8 +91,7 @@ namespace {
 /// computed is lost with its folder.
 bool was_killed_at_its_begin(const fs::path& folder) {
   const fs::path journal = folder / "journal";
-  std::error_code ignored;
-  return fs::is_directory(folder, ignored) && files_in(folder) == std::vector{journal} &&
+  return fs::is_directory(status_of(folder)) && files_in(folder) == std::vector{journal} &&
          !has_identity(folder) && std::ranges::all_of(files_in(journal), [](const fs::path& file) {
            return file.filename() == "lock" || file.extension() == ".units" ||
                   whole_name(file.filename()) == "run";
@@ -104,6 +104,8 @@ std::optional<InputError> fault_of_results(const fs::path& folder) {
   try {
     if (read_origin(file).plan_hash == plan_hash_in(run_json)) return {};
     return InputError({file.string(), "is of another run than " + run_json.string(), "", ""});
+  } catch (const IoError&) {
+    throw;
   } catch (const InputError& error) {
     return error;
   }

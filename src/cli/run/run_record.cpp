@@ -11,6 +11,7 @@
 
 #include "glissade/core/error.hpp"
 #include "glissade/core/file.hpp"
+#include "glissade/core/input_file.hpp"
 #include "shared/put.hpp"
 
 namespace glissade::cli {
@@ -47,8 +48,9 @@ void add_phases(Json& json, const PhaseClock& clock) {
 Json read_run_json(const std::filesystem::path& run_json_file) {
   constexpr std::uintmax_t most_bytes = 1u << 20;
   constexpr int most_depth = 16;  // JSON is copied and freed by recursion
-  std::error_code error;
-  if (std::filesystem::file_size(run_json_file, error) > most_bytes || error) return {};
+  if (!std::filesystem::is_regular_file(status_of(run_json_file)) ||
+      InputFile(run_json_file).size() > most_bytes)
+    return {};
   Json json = Json::parse(
       read_text_file(run_json_file),
       [](int depth, Json::parse_event_t, Json&) { return depth <= most_depth; },
@@ -182,8 +184,7 @@ std::vector<Skip> skips_in(const std::filesystem::path& run_json_file) {
     return InputError({run_json_file.string(), "is not as glissade run writes it: " + why,
                        "remove it; the report then does not list what was skipped", ""});
   };
-  std::error_code ignored;
-  if (!std::filesystem::exists(run_json_file, ignored)) return {};
+  if (!std::filesystem::exists(status_of(run_json_file))) return {};
   const Json json = read_run_json(run_json_file);
   if (!json.is_object()) throw refused("no JSON object {} of less than 1 MiB can be read");
   const Json skipped = json.value("skipped", Json());

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "glissade/core/error.hpp"
+#include "glissade/core/io_error.hpp"
 
 // Input that is wrong in an option, and is read by a library that does not know the options.
 namespace glissade::cli {
@@ -13,6 +13,8 @@ template <class Read, class Change>
 auto with_changed_problems(const Change& change, const Read& read) {
   try {
     return read();
+  } catch (const IoError&) {  // is of a file
+    throw;
   } catch (const InputError& error) {
     std::vector<Problem> problems = error.problems();
     for (Problem& problem : problems) change(problem);

@@ -2,11 +2,8 @@
 #include "journal/frame.hpp"
 
 #include <algorithm>
-#include <cerrno>
-#include <system_error>
 
 #include "glissade/core/bytes.hpp"
-#include "glissade/core/error.hpp"
 #include "glissade/core/hash.hpp"
 
 namespace glissade {
@@ -27,27 +24,30 @@ std::string framed(std::span<const char> content) {
 
 FrameReader::FrameReader(const std::filesystem::path& file, std::uint64_t most_bytes,
                          std::uint64_t from)
-    : in_(file, std::ios::binary), most_bytes_(most_bytes) {
-  std::error_code error;
-  left_ = std::filesystem::file_size(file, error);
-  if (error || !in_) {
-    const int reason = error ? error.value() : errno;
-    throw InputError({file.string(), "cannot be read: " + std::generic_category().message(reason),
-                      "check that you may read it", ""});
-  }
+    : in_(file), most_bytes_(most_bytes), left_(in_.size()) {
   from = std::min(from, left_);
-  in_.seekg(static_cast<std::streamoff>(from));
+  in_.seek(from);
   left_ -= from;
+}
+
+/// As many bytes; false where the file ends before.
+bool FrameReader::take(std::span<char> bytes) {
+  while (!bytes.empty()) {
+    const std::size_t count = in_.read(bytes);
+    if (count == 0) return false;
+    bytes = bytes.subspan(count);
+  }
+  return true;
 }
 
 std::optional<std::vector<char>> FrameReader::next() {
   std::vector<char> head(frame_head_bytes), content;
-  while (left_ >= head.size() && in_.read(head.data(), frame_head_bytes)) {
+  while (left_ >= head.size() && take(head)) {
     std::uint64_t size = 0, check = 0;
     ByteReader(head).get(size).get(check);
     if (size > most_bytes_ || size > left_ - frame_head_bytes) return std::nullopt;
     content.resize(size);
-    if (!in_.read(content.data(), static_cast<std::streamsize>(size))) return std::nullopt;
+    if (!take(content)) return std::nullopt;
     left_ -= frame_head_bytes + size;
     if (checksum(content) == check) return content;
     damaged_ += frame_head_bytes + size;

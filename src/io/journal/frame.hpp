@@ -3,11 +3,12 @@
 
 #include <cstdint>
 #include <filesystem>
-#include <fstream>
 #include <optional>
 #include <span>
 #include <string>
 #include <vector>
+
+#include "glissade/core/input_file.hpp"
 
 namespace glissade {
 
@@ -15,7 +16,7 @@ namespace glissade {
 std::string framed(std::span<const char> content);
 
 /// Reads the records of a file up to the last whole one. One whose checksum is wrong is passed
-/// over, by its length.
+/// over, by its length. IoError where the file cannot be read.
 class FrameReader {
  public:
   /// @param most_bytes longer records are not whole
@@ -27,7 +28,8 @@ class FrameReader {
   std::uint64_t bytes_damaged() const { return damaged_; }
 
  private:
-  std::ifstream in_;
+  bool take(std::span<char> bytes);
+  InputFile in_;
   std::uint64_t most_bytes_, left_, damaged_ = 0;
 };
 

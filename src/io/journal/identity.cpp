@@ -9,6 +9,7 @@
 #include "glissade/core/file.hpp"
 #include "glissade/core/folder.hpp"
 #include "glissade/core/hash.hpp"
+#include "glissade/core/input_file.hpp"
 #include "glissade/core/mathematics.hpp"
 #include "glissade/core/output_file.hpp"
 #include "glissade/io/journal.hpp"
@@ -46,8 +47,7 @@ bool is_name_of_units(const fs::path& file) {
 std::vector<fs::path> JournalNames::all_units() const {
   std::vector<fs::path> files = files_in(folder);
   std::erase_if(files, [](const fs::path& file) {
-    std::error_code ignored;
-    return !is_name_of_units(file) || !fs::is_regular_file(file, ignored);
+    return !is_name_of_units(file) || !fs::is_regular_file(status_of(file));
   });
   return files;
 }
@@ -109,11 +109,7 @@ void write_identity(const fs::path& run_folder, const RunIdentity& run) {
 }
 
 bool has_identity(const fs::path& run_folder) {
-  const fs::path identity = JournalNames(run_folder).identity;
-  std::error_code error;
-  const bool is_there = fs::exists(identity, error);
-  if (error) throw_io_error(identity, "cannot be read", error.value());
-  return is_there;
+  return fs::exists(status_of(JournalNames(run_folder).identity));
 }
 
 RunIdentity read_identity(const fs::path& run_folder) {

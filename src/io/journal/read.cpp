@@ -3,6 +3,7 @@
 
 #include "glissade/core/bytes.hpp"
 #include "glissade/core/error.hpp"
+#include "glissade/core/input_file.hpp"
 #include "glissade/io/journal.hpp"
 #include "glissade/study/run/exchange.hpp"
 #include "journal/frame.hpp"
@@ -63,10 +64,8 @@ std::uint64_t read_journals(const fs::path& run_folder, const RunIdentity& run, 
 
 bool has_units(const fs::path& run_folder) {
   const std::uint64_t head_bytes = units_head({}).size();
-  std::error_code ignored;
   return std::ranges::any_of(JournalNames(run_folder).all_units(), [&](const fs::path& file) {
-    const std::uintmax_t size = fs::file_size(file, ignored);
-    return !ignored && size > head_bytes;
+    return InputFile(file).size() > head_bytes;
   });
 }
 

@@ -6,7 +6,6 @@
 #include <chrono>
 #include <condition_variable>
 #include <exception>
-#include <fstream>
 #include <limits>
 #include <mutex>
 #include <optional>
@@ -15,6 +14,7 @@
 
 #include "glissade/core/error.hpp"
 #include "glissade/core/file.hpp"
+#include "glissade/core/input_file.hpp"
 #include "glissade/core/output_file.hpp"
 #include "glissade/io/journal.hpp"
 #include "glissade/study/run/exchange.hpp"
@@ -138,15 +138,12 @@ void JournalWriter::sync() {
 
 void copy_journals(const fs::path& from, const fs::path& to) {
   for (const fs::path& units : JournalNames(from).all_units()) {
-    std::ifstream in(units, std::ios::binary);
+    const InputFile in(units);
     std::optional<OutputFile> out;
     open_new(JournalNames(to), 0, out);
     std::string block(1u << 20, '\0');
-    do {
-      in.read(block.data(), static_cast<std::streamsize>(block.size()));
-      out->write(std::string_view(block).substr(0, static_cast<std::size_t>(in.gcount())));
-    } while (in);
-    if (!in.eof()) throw_io_error(units, "cannot be read", errno);
+    while (const std::size_t count = in.read(block))
+      out->write(std::string_view(block).substr(0, count));
     out->sync();
     out->close();
   }

@@ -12,6 +12,7 @@
 
 #include "enum_names.hpp"
 #include "glissade/core/file.hpp"
+#include "glissade/core/input_file.hpp"
 #include "glissade/core/units.hpp"
 #include "glissade/design/design_clearance.hpp"
 #include "glissade/io/sha256.hpp"
@@ -318,8 +319,7 @@ std::vector<ProjectGap> read_gaps(const TomlTable& root) {
 
 void read_suite(const TomlTable& suite, Project& project) {
   project.suite = (project.file.parent_path() / suite.text("file").value_or("")).lexically_normal();
-  std::error_code error;
-  const bool is_there = suite.has("file") && fs::is_regular_file(project.suite, error);
+  const bool is_there = suite.has("file") && fs::is_regular_file(status_of(project.suite));
   if (suite.has("file") && !is_there)
     suite.report("file", "there is no suite " + project.suite.string(),
                  "give the path of a suite file, relative to the project file (suites/README.md)");

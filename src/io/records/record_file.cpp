@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "glissade/core/error.hpp"
+#include "glissade/core/input_file.hpp"
 #include "glissade/core/units.hpp"
 #include "glissade/motion/improbable.hpp"
 #include "glissade/motion/intensity.hpp"
@@ -15,12 +16,14 @@
 namespace glissade {
 
 ComponentAddress split_address(const std::string& name) {
-  std::error_code ignored;
-  if (std::filesystem::exists(name, ignored)) return {name, ""};
+  const auto is_there = [](const std::string& path) {
+    return std::filesystem::exists(status_of(path));
+  };
+  if (is_there(name)) return {name, ""};
   for (std::size_t mark = name.find('#', 1); mark != std::string::npos;
        mark = name.find('#', mark + 1)) {
     const std::string file = name.substr(0, mark);
-    if (std::filesystem::exists(file, ignored) || name.find('#', mark + 1) == std::string::npos)
+    if (is_there(file) || name.find('#', mark + 1) == std::string::npos)
       return {file, name.substr(mark + 1)};
   }
   return {name, ""};

@@ -126,10 +126,10 @@ void read_results_of(const ResultsKind& kind, const std::filesystem::path& file,
     return InputError({file.string(), std::string("is not a complete ") + kind.name + ": " + reason,
                        "give a results file of `glissade run`, or run the study again", ""});
   };
-  std::error_code ignored;
-  if (!std::filesystem::exists(file, ignored))
+  const std::filesystem::file_status status = status_of(file);
+  if (!std::filesystem::exists(status))
     throw InputError({file.string(), "no such file", "check the path", ""});
-  if (!std::filesystem::is_regular_file(file, ignored)) throw fail("it is no regular file");
+  if (!std::filesystem::is_regular_file(status)) throw fail("it is no regular file");
   const std::string fault = checksum_fault(file);
   if (!fault.empty()) throw fail(fault);
   try {

@@ -2,11 +2,13 @@
 #include "suites/record_finder.hpp"
 
 #include <algorithm>
+#include <cerrno>
 #include <cstdlib>
 #include <sstream>
-#include <system_error>
 
 #include "glissade/core/error.hpp"
+#include "glissade/core/folder.hpp"
+#include "glissade/core/input_file.hpp"
 #include "glissade/io/record_file.hpp"
 
 namespace glissade {
@@ -14,9 +16,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-bool is_there(const fs::path& file) {
-  std::error_code ignored;
-  return fs::exists(file, ignored) && !fs::is_directory(file, ignored);
+bool is_file(const fs::path& path) {
+  const fs::file_status status = status_of(path);
+  return fs::exists(status) && !fs::is_directory(status);
 }
 
 bool ends_with(const fs::path& path, const fs::path& tail) {
@@ -43,25 +45,36 @@ std::string RecordFinder::searched() const {
   std::string text = "in " + (suite_folder_.empty() ? "." : suite_folder_.string());
   if (folders_.empty()) return text + " (GLISSADE_RECORDS is not set)";
   for (const fs::path& folder : folders_) {
-    std::error_code ignored;
     text += "; in and below " + folder.string() + " (GLISSADE_RECORDS)" +
-            (fs::is_directory(folder, ignored) ? "" : ", which is no folder");
+            (fs::is_directory(status_of(folder)) ? "" : ", which is no folder");
   }
+  for (const fs::path& folder : closed_)
+    text += "; not in " + folder.string() + ", which you may not read";
   return text;
+}
+
+// Links to folders are not followed.
+void RecordFinder::index_below(const fs::path& folder) {
+  std::vector<fs::path> entries;
+  try {
+    entries = files_in(folder);
+  } catch (const IoError& error) {
+    if (error.error_number() != EACCES) throw;
+    closed_.push_back(folder);
+  }
+  for (const fs::path& entry : entries) {
+    if (fs::is_directory(link_status_of(entry)))
+      index_below(entry);
+    else if (is_file(entry))
+      by_name_[entry.filename().string()].push_back(entry);
+  }
 }
 
 const std::vector<fs::path>& RecordFinder::files_named(const std::string& file_name) {
   if (!is_indexed_) {
+    for (const fs::path& folder : folders_)
+      if (fs::is_directory(status_of(folder))) index_below(folder);
     is_indexed_ = true;
-    for (const fs::path& folder : folders_) {
-      std::error_code error;
-      fs::recursive_directory_iterator entry(folder, fs::directory_options::skip_permission_denied,
-                                             error);
-      for (; !error && entry != fs::recursive_directory_iterator(); entry.increment(error)) {
-        if (is_there(entry->path()))
-          by_name_[entry->path().filename().string()].push_back(entry->path());
-      }
-    }
     for (auto& [name, files] :
          by_name_) {  // folders are listed in any order, and may be given twice
       std::sort(files.begin(), files.end());
@@ -72,10 +85,10 @@ const std::vector<fs::path>& RecordFinder::files_named(const std::string& file_n
 }
 
 std::optional<fs::path> RecordFinder::find(const fs::path& name) {
-  if (const fs::path file = suite_folder_ / name; is_there(file)) return file;
+  if (const fs::path file = suite_folder_ / name; is_file(file)) return file;
   if (name.is_absolute()) return std::nullopt;
   for (const fs::path& folder : folders_) {
-    if (const fs::path file = folder / name; is_there(file)) return file;
+    if (const fs::path file = folder / name; is_file(file)) return file;
   }
   std::vector<fs::path> candidates = files_named(name.filename().string());
   if (candidates.empty()) return std::nullopt;

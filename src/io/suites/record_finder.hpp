@@ -11,7 +11,8 @@ namespace glissade {
 
 /// Finds the record files a suite names: relative to the suite file; else below the folders of
 /// GLISSADE_RECORDS (colon-separated), first by the same relative path below each, then by file
-/// name anywhere below.
+/// name anywhere below. IoError where one cannot be listed; those that the user may not read are
+/// named among the places searched.
 class RecordFinder {
  public:
   explicit RecordFinder(std::filesystem::path suite_folder);
@@ -29,9 +30,10 @@ class RecordFinder {
   std::string searched() const;
 
  private:
+  void index_below(const std::filesystem::path& folder);
   const std::vector<std::filesystem::path>& files_named(const std::string& file_name);
   std::filesystem::path suite_folder_;
-  std::vector<std::filesystem::path> folders_;
+  std::vector<std::filesystem::path> folders_, closed_;
   bool is_indexed_ = false;
   std::map<std::string, std::vector<std::filesystem::path>> by_name_;
 };

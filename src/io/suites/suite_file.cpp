@@ -382,14 +382,12 @@ bool has_roof_motions(const std::filesystem::path& suite_file) {
   return head.exists() && head.text("motions") == "roof";
 }
 
-StatedTarget read_stated_target(const std::filesystem::path& file) {
+std::optional<StatedTarget> find_stated_target(const std::filesystem::path& file) {
   TomlDocument document(file);
   const TomlTable root = document.root();
   root.ignore_unknown();
   const TomlTable table = root.table(root.has("site") ? "site" : "target");
-  if (!table.exists())
-    throw InputError({file.string(), "has no [site] and no [target]",
-                      "give a project or a suite file with one", ""});
+  if (!table.exists()) return std::nullopt;
   table.ignore_unknown();
   std::optional<DesignTarget> mapped;  // beside a spectrum: of a project, not for a suite
   StatedTarget stated{read_target(table, &mapped), {}};
@@ -397,6 +395,14 @@ StatedTarget read_stated_target(const std::filesystem::path& file) {
     stated.spectrum_file = file.parent_path() / *spectrum;
   document.finish();
   return stated;
+}
+
+StatedTarget read_stated_target(const std::filesystem::path& file) {
+  const auto stated = find_stated_target(file);
+  if (!stated)
+    throw InputError({file.string(), "has no [site] and no [target]",
+                      "give a project or a suite file with one", ""});
+  return *stated;
 }
 
 std::vector<RecordFile> record_files(const std::filesystem::path& suite_file) {

@@ -7,6 +7,7 @@
 #include <map>
 
 #include "glissade/core/error.hpp"
+#include "glissade/core/input_file.hpp"
 #include "glissade/io/recipe_writer.hpp"
 #include "suites/record_entry.hpp"
 #include "toml/toml_text.hpp"
@@ -44,10 +45,9 @@ Library read_library(const fs::path& file) {
 
 /// How a file of the library is named in a suite file in `folder`.
 std::string renamed(const std::string& name, const fs::path& library, const fs::path& folder) {
-  std::error_code error;
   const fs::path beside = library.parent_path() / name;
   if (fs::path(name).is_absolute()) return name;
-  if (!fs::exists(beside, error)) {
+  if (!fs::exists(status_of(beside))) {
     const auto [file, component] = split_address(name);
     return component.empty() ? name : renamed(file, library, folder) + "#" + component;
   }

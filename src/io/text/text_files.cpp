@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "glissade/io/text_files.hpp"
 
-#include <system_error>
 #include <utility>
 
 #include "glissade/core/bytes.hpp"
 #include "glissade/core/error.hpp"
 #include "glissade/core/file.hpp"
+#include "glissade/core/input_file.hpp"
 
 namespace glissade {
 
@@ -44,8 +44,7 @@ TextFile TextFiles::text_file(const fs::path& folder, const std::string& name) {
 }
 
 bool TextFiles::is_there(const fs::path& file) {
-  std::error_code ignored;
-  if (!are_given_ && fs::exists(file, ignored)) there_.insert(file.string());
+  if (!are_given_ && fs::exists(status_of(file))) there_.insert(file.string());
   return all_are_there_ || there_.contains(file.string());
 }
 

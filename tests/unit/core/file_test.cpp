@@ -12,12 +12,42 @@
 #include <fstream>
 #include <thread>
 
-#include "glissade/core/error.hpp"
+#include "glissade/core/input_file.hpp"
 
 namespace glissade {
 namespace {
 
 namespace fs = std::filesystem;
+
+// What the system does not say is never "not there" (tests/cli injects EIO and the like).
+TEST(status_of, is_not_found_only_where_nothing_is_there) {
+  const fs::path folder = fs::path(testing::TempDir()) / "glissade_status";
+  fs::remove_all(folder);
+  fs::create_directories(folder);
+  write_text_file(folder / "file", "text");
+  fs::create_symlink("loop", folder / "loop");
+  fs::create_symlink("file", folder / "link");
+  EXPECT_TRUE(fs::is_regular_file(status_of(folder / "link")));
+  EXPECT_TRUE(fs::is_symlink(link_status_of(folder / "link")));
+  for (const fs::path& nothing : {folder / "none", folder / "file/below", folder / "loop",
+                                  folder / std::string(300, 'n')})
+    EXPECT_FALSE(fs::exists(status_of(nothing))) << nothing;
+}
+
+TEST(read_text_file, reports_what_the_system_refuses_apart_from_what_is_no_file) {
+  const fs::path pipe = fs::path(testing::TempDir()) / "glissade_pipe";
+  fs::remove(pipe);
+  ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
+  EXPECT_THROW(read_text_file("/nowhere/file"), IoError);
+  try {
+    read_text_file(pipe);
+    FAIL() << "nothing thrown";
+  } catch (const IoError&) {
+    FAIL() << "a pipe is no failure of the system";
+  } catch (const InputError& error) {
+    EXPECT_THAT(error.what(), testing::HasSubstr("no regular file"));
+  }
+}
 
 TEST(write_text_file, replaces_a_file_whole_and_tells_of_a_full_disk) {
   const fs::path file = fs::path(testing::TempDir()) / "glissade_text_file.txt";
