@@ -9,6 +9,7 @@
 
 #include "../scaling/record_screening.hpp"
 #include "glissade/core/contract.hpp"
+#include "glissade/core/in_parallel.hpp"
 #include "glissade/core/random.hpp"
 #include "glissade/core/units.hpp"
 #include "glissade/motion/rotated_spectrum.hpp"
@@ -35,12 +36,12 @@ class SpectrumSums {
     for (std::size_t p = 0; p < target.size(); ++p) sigma_.push_back(target.sigma(p));
   }
 
-  void add(const LogSpectrum& spectrum, double times = 1.0) {
-    count_ += times;
+  void add(const LogSpectrum& spectrum) {
+    count_ += 1.0;
     for (std::size_t p = 0; p < spectrum.size(); ++p) {
       const double above = spectrum[p] - target_->mean[p];
-      sums_[p] += times * above;
-      squares_[p] += times * above * above;
+      sums_[p] += above;
+      squares_[p] += above * above;
     }
   }
 
@@ -91,32 +92,22 @@ Eigen::MatrixXd root_of_covariance(const SpectrumDistribution& target) {
          solved.eigenvalues().cwiseMax(0.0).cwiseSqrt().asDiagonal().toDenseMatrix();
 }
 
-/// Of some sets of spectra drawn from the target the one that is closest to it.
-std::vector<LogSpectrum> drawn_spectra(const SpectrumDistribution& target, std::size_t count,
-                                       std::uint64_t seed) {
-  constexpr std::size_t sets = 20;
-  const Eigen::MatrixXd root = root_of_covariance(target);
-  std::vector<LogSpectrum> best;
-  double least = std::numeric_limits<double>::infinity();
-  for (std::size_t set = 0; set < sets; ++set) {
-    std::vector<LogSpectrum> spectra;
-    SpectrumSums sums(target);
-    for (std::size_t i = 0; i < count; ++i) {
-      Eigen::VectorXd normal(root.cols());
-      for (Eigen::Index k = 0; k < normal.size(); ++k)
-        normal[k] = keyed_normal(seed, RandomPurpose::target_spectra, set * count + i,
-                                 static_cast<std::uint32_t>(k));
-      const Eigen::VectorXd above = root * normal;
-      LogSpectrum& spectrum = spectra.emplace_back(target.mean);
-      for (std::size_t p = 0; p < spectrum.size(); ++p)
-        spectrum[p] += above[static_cast<Eigen::Index>(p)];
-      sums.add(spectrum);
-    }
-    if (!(sums.deviation() < least)) continue;
-    least = sums.deviation();
-    best = std::move(spectra);
+/// A set of `count` spectra drawn from the target.
+std::vector<LogSpectrum> drawn_spectra(const SpectrumDistribution& target,
+                                       const Eigen::MatrixXd& root, std::size_t count,
+                                       std::uint64_t seed, std::size_t set) {
+  std::vector<LogSpectrum> spectra;
+  for (std::size_t i = 0; i < count; ++i) {
+    Eigen::VectorXd normal(root.cols());
+    for (Eigen::Index k = 0; k < normal.size(); ++k)
+      normal[k] = keyed_normal(seed, RandomPurpose::target_spectra, set * count + i,
+                               static_cast<std::uint32_t>(k));
+    const Eigen::VectorXd above = root * normal;
+    LogSpectrum& spectrum = spectra.emplace_back(target.mean);
+    for (std::size_t p = 0; p < spectrum.size(); ++p)
+      spectrum[p] += above[static_cast<Eigen::Index>(p)];
   }
-  return best;
+  return spectra;
 }
 
 /// Candidates with their spectra, scaled to the target at its period.
@@ -168,8 +159,8 @@ std::vector<std::size_t> closest_to(const std::vector<LogSpectrum>& drawn, const
   return choice;
 }
 
-/// Makes the best exchange of each record in turn until none brings the set closer.
-void improve(std::vector<std::size_t>& choice, const SpectraPool& pool,
+/// Makes the best exchange of each record in turn until none brings the set closer; its deviation.
+double improve(std::vector<std::size_t>& choice, const SpectraPool& pool,
              const SpectrumDistribution& target, std::optional<std::size_t> per_event) {
   constexpr int most_rounds = 50;  // each has a smaller deviation: rounding aside it ends before
   constexpr double rounding = 1e-12;
@@ -190,7 +181,16 @@ void improve(std::vector<std::size_t>& choice, const SpectraPool& pool,
       }
     }
   }
+  SpectrumSums sums(target);
+  for (const std::size_t k : choice) sums.add(pool.spectra[k]);
+  return sums.deviation();
 }
+
+/// A set of candidates that no exchange of one improves.
+struct LocalBest {
+  std::vector<std::size_t> choice;
+  double deviation = 0.0;
+};
 
 }  // namespace
 
@@ -210,13 +210,21 @@ double ConditionalSelection::sigma_error(const SpectrumDistribution& target) con
 }
 
 ConditionalSelection select_conditional(const Suite& library, const ConditionalTarget& target,
-                                        const SelectionCriteria& criteria, std::uint64_t seed) {
-  GLISSADE_EXPECTS(target.period < target.spectrum.size() && target.sa_g > 0.0);
+                                        const SelectionCriteria& criteria, std::uint64_t seed,
+                                        std::size_t starts) {
+  GLISSADE_EXPECTS(target.period < target.spectrum.size() && target.sa_g > 0.0 && starts > 0);
   SpectraPool pool = pool_of(library, target, criteria);
   const SpectrumDistribution& spectrum = target.spectrum;
+  const Eigen::MatrixXd root = root_of_covariance(spectrum);
+  std::vector<LocalBest> found(starts);
+  in_parallel(starts, [&](std::size_t start) {
+    auto& [choice, deviation] = found[start];
+    choice = closest_to(drawn_spectra(spectrum, root, criteria.count, seed, start), pool,
+                        criteria.per_event);
+    deviation = improve(choice, pool, spectrum, criteria.per_event);
+  });
   std::vector<std::size_t> choice =
-      closest_to(drawn_spectra(spectrum, criteria.count, seed), pool, criteria.per_event);
-  improve(choice, pool, spectrum, criteria.per_event);
+      std::ranges::min_element(found, {}, &LocalBest::deviation)->choice;
 
   ConditionalSelection selection;
   selection.candidates = pool.spectra.size();
@@ -238,6 +246,7 @@ ConditionalSelection select_conditional(const Suite& library, const ConditionalT
     selection.mean.push_back(sums.mean(p));
     selection.sigma.push_back(sums.sigma(p));
   }
+  selection.objective = sums.deviation();
   return selection;
 }
 

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <set>
 
@@ -140,6 +141,40 @@ TEST(select_conditional, has_no_exchange_of_one_record_that_is_better) {
       EXPECT_GE(deviation_of(library, target, other), deviation * (1.0 - 1e-9));
     }
   }
+}
+
+// The objective by the formula of the header, of the records that were found.
+TEST(select_conditional, more_starts_never_give_a_larger_objective) {
+  const Suite library = varied_library(40);
+  const ConditionalTarget target = target_of(library, 0.7);
+  double before = std::numeric_limits<double>::infinity();
+  for (const std::size_t starts : {1u, 5u, 20u, 60u}) {
+    const ConditionalSelection found = select_conditional(library, target, of(8), 3, starts);
+    std::vector<std::size_t> records;
+    for (const SelectedRecord& r : found.records) records.push_back(r.record);
+    EXPECT_NEAR(found.objective, deviation_of(library, target, records), 1e-12);
+    EXPECT_LE(found.objective, before);
+    before = found.objective;
+  }
+  EXPECT_LT(before, select_conditional(library, target, of(8), 3, 1).objective);
+}
+
+// One start gives objectives that differ by more than SPREAD_ONE times among these seeds.
+TEST(select_conditional, ten_seeds_reach_objectives_that_are_close_to_each_other) {
+  const Suite library = varied_library(40);
+  const ConditionalTarget target = target_of(library, 0.7);
+  const auto spread = [&](std::size_t starts) {
+    double least = std::numeric_limits<double>::infinity(), most = 0.0;
+    for (std::uint64_t seed = 1; seed <= 10; ++seed) {
+      const double reached = select_conditional(library, target, of(8), seed, starts).objective;
+      least = std::min(least, reached);
+      most = std::max(most, reached);
+    }
+    std::printf("%g to %g\n", least, most);
+    return most / least;
+  };
+  EXPECT_GT(spread(1), 2.0);
+  EXPECT_LT(spread(conditional_starts), 1.5);
 }
 
 TEST(select_conditional, depends_on_the_records_and_the_seed_alone) {
