@@ -212,12 +212,14 @@ TEST_F(SuiteSelect, records_of_a_conditional_spectrum_are_compared_with_it) {
   EXPECT_EQ(result["left_out"][0]["reasons"], Json({"no second horizontal"}));
   EXPECT_THAT(result["warnings"].dump(), states("4 candidates for 3 records", "loosely"));
   const std::string suite = read_file(out);
-  EXPECT_THAT(suite, states("Sa(0.5 s) = 0.8 g", "seed 1", "WARNING: "));
+  EXPECT_THAT(suite, states("Sa(0.5 s) = 0.8 g", "seed 1", "WARNING: ", "objective"));
+  EXPECT_EQ(result["starts"], 60);
+  EXPECT_GT(result["objective"], 0.0);
   EXPECT_THAT(suite, testing::Not(testing::HasSubstr("nearest_to_target")));
   EXPECT_EQ(run_program({"suite", "show", out}).status, 0);
   const Finished printed =
       select(with(an_earthquake, {"--count", "3", "--max-scale", "50", "--seed", "1"}));
-  EXPECT_THAT(printed.out, states("WARNING", "records std", "left out", "r3"));
+  EXPECT_THAT(printed.out, states("WARNING", "records std", "objective", "60 starts", "left out", "r3"));
 }
 
 TEST_F(SuiteSelect, the_figure_of_a_conditional_spectrum_goes_to_a_folder_of_its_own) {
@@ -261,6 +263,19 @@ TEST_F(SuiteSelect, an_improbable_earthquake_is_warned_of) {
       succeeding({"suite", "target", "--period-s", "0.5", "--sa-g", "2.5", "--magnitude", "5",
                   "--distance-km", "80", "--vs30-mps", "760"});
   EXPECT_THAT(child.out, states("WARNING", "standard deviations above the median"));
+}
+
+// BSSA14: V_S30 from 150 to 1500 m/s, R_JB from 0 km.
+TEST_F(SuiteSelect, a_site_outside_the_range_of_the_model_is_warned_of) {
+  const auto target = [](const char* vs30, const char* distance) {
+    return succeeding({"suite", "target", "--period-s", "0.5", "--epsilon", "1", "--magnitude", "7",
+                       "--distance-km", distance, "--vs30-mps", vs30})
+        .out;
+  };
+  EXPECT_THAT(target("120", "12"),
+              states("WARNING", "V_S30 of 120 m/s is outside 150 to 1500 m/s", "BSSA14"));
+  EXPECT_THAT(target("1600", "12"), testing::HasSubstr("V_S30 of 1600 m/s"));
+  EXPECT_THAT(target("150", "0"), testing::Not(testing::HasSubstr("WARNING")));
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 
 #include "glissade/core/error.hpp"
 #include "glissade/motion/improbable.hpp"
+#include "glissade/motion/simulation/bssa14.hpp"
 
 namespace glissade::cli {
 namespace {
@@ -61,7 +62,7 @@ ConditionalTarget ConditionalOptions::target() const {
   Scenario scenario{
       options.required(magnitude, "--magnitude", 3.0, 8.5, "",
                        "give that of the earthquake which governs, of a disaggregation"),
-      options.required(distance_km, "--distance-km", 0.1, 400.0, " km",
+      options.required(distance_km, "--distance-km", 0.0, 400.0, " km",
                        "give that of the earthquake which governs, of a disaggregation"),
       options.required(vs30_mps, "--vs30-mps", 100.0, 2000.0, " m/s", "give that of the site")};
   if (mechanism == "reverse")
@@ -107,14 +108,16 @@ std::string ConditionalOptions::sentence(const ConditionalTarget& target) const 
       target.epsilon());
 }
 
-std::vector<std::string> target_warnings(const ConditionalTarget& target) {
+std::vector<std::string> ConditionalOptions::warnings(const ConditionalTarget& target) const {
   constexpr double most_probable = 3.0;
+  std::vector<std::string> found = outside_bssa14({*magnitude, *distance_km, *vs30_mps});
   const double epsilon = target.epsilon();
-  if (std::abs(epsilon) <= most_probable) return {};
-  return {fmt::format(
-      "Sa({:g} s) = {:.4g} g is {:.1f} standard deviations {} the median of this earthquake: take "
-      "the earthquake that governs it, of a disaggregation",
-      target.period_s(), target.sa_g, std::abs(epsilon), epsilon > 0.0 ? "above" : "below")};
+  if (std::abs(epsilon) > most_probable)
+    found.push_back(fmt::format(
+        "Sa({:g} s) = {:.4g} g is {:.1f} standard deviations {} the median of this earthquake: "
+        "take the earthquake that governs it, of a disaggregation",
+        target.period_s(), target.sa_g, std::abs(epsilon), epsilon > 0.0 ? "above" : "below"));
+  return found;
 }
 
 Table target_table(const ConditionalTarget& target) {

@@ -23,10 +23,9 @@ struct ConditionalOptions {
   ConditionalTarget target() const;
   /// "Sa(0.5 s) = 0.8 g (RotD50), M 7, ..., epsilon 1.21"
   std::string sentence(const ConditionalTarget& target) const;
+  /// What is possible and not probable, or outside the range of the model.
+  std::vector<std::string> warnings(const ConditionalTarget& target) const;
 };
-
-/// What is possible and not probable.
-std::vector<std::string> target_warnings(const ConditionalTarget& target);
 
 /// The spectrum by period.
 Table target_table(const ConditionalTarget& target);

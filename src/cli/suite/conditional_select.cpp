@@ -40,7 +40,7 @@ std::string errors_line(const ConditionalOutcome& o) {
 std::vector<std::string> warnings_of(const ConditionalOutcome& o) {
   constexpr double tolerance = 0.1;  // of Baker & Lee (2018)
   constexpr std::size_t least_of_one = 3;
-  std::vector<std::string> warnings = target_warnings(o.target);
+  std::vector<std::string> warnings = o.request.target.warnings(o.target);
   const std::size_t count = o.selection.records.size(), candidates = o.selection.candidates;
   const auto by_factor = static_cast<std::size_t>(
       std::ranges::count_if(o.selection.left_out, [](const LeftOutRecord& record) {
@@ -70,6 +70,14 @@ std::vector<std::string> warnings_of(const ConditionalOutcome& o) {
   return warnings;
 }
 
+/// What the best of all starts reached.
+std::string objective_line(const ConditionalOutcome& o) {
+  return fmt::format("objective {:.4f}, the least of {} starts (seed {}): the sum over {} periods of "
+                     "the squares of the error of the mean and, twice, of the standard deviation",
+                     o.selection.objective, conditional_starts, o.request.seed,
+                     o.target.spectrum.size());
+}
+
 /// Means and standard deviations of records and target by period.
 Table comparison_table(const ConditionalOutcome& o) {
   Table table{"comparison",
@@ -95,6 +103,7 @@ void print(const ConditionalOutcome& o) {
       to_text(comparison_table(o)));
   put("\n");
   put_lines(errors_line(o), 2);
+  put_lines(objective_line(o), 2);
   put_left_out(o.library, o.selection.left_out);
 }
 
@@ -108,6 +117,8 @@ Json to_json(const ConditionalOutcome& o) {
             {"records", selected_json(o.library, o.selection.records)},
             {"mean_error", o.selection.mean_error(spectrum)},
             {"sigma_error", o.selection.sigma_error(spectrum)},
+            {"objective", o.selection.objective},
+            {"starts", conditional_starts},
             {"spectrum", Json::array()},
             {"left_out", left_out_json(o.library, o.selection.left_out)}};
   for (std::size_t p = 0; p < spectrum.size(); ++p)
@@ -130,7 +141,7 @@ std::string suite_text(const ConditionalOutcome& o) {
       std::nullopt,
       {"Made by: glissade suite select, from " + fs::path(request.library).filename().string() +
            fmt::format(", seed {}", request.seed),
-       target, errors_line(o)},
+       target, errors_line(o), objective_line(o)},
       o.library.nearest_to_target};
   for (const std::string& warning : warnings_of(o)) head.comments.push_back("WARNING: " + warning);
   std::vector<ScaledRecord> records;

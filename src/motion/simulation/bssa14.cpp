@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "glissade/motion/simulation/bssa14.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -79,7 +81,27 @@ Bssa14Row coefficients(double period_s) {
   return row;
 }
 
+struct PredictorRange {
+  const char *what, *unit;
+  double least, most;
+};
+
 }  // namespace
+
+std::vector<std::string> outside_bssa14(const Scenario& scenario) {
+  std::vector<std::string> found;
+  const auto check = [&](const PredictorRange& range, double value) {
+    if (value >= range.least && value <= range.most) return;
+    found.push_back(fmt::format(
+        "{} of {:g}{} is outside {:g} to {:g}{}, the range of BSSA14 (Boore et al. 2014; "
+        "recalled): its spectra are extrapolated",
+        range.what, value, range.unit, range.least, range.most, range.unit));
+  };
+  check({"magnitude", "", 3.0, 8.5}, scenario.magnitude);
+  check({"distance", " km", 0.0, 400.0}, scenario.distance_km);
+  check({"V_S30", " m/s", 150.0, 1500.0}, scenario.vs30_mps);
+  return found;
+}
 
 double bssa14_median_sa_g(const Scenario& scenario, double period_s) {
   GLISSADE_EXPECTS(scenario.distance_km >= 0.0 && scenario.vs30_mps > 0.0);

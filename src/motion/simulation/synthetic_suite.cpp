@@ -2,6 +2,7 @@
 #include "glissade/motion/simulation/synthetic_suite.hpp"
 
 #include "glissade/core/in_parallel.hpp"
+#include "glissade/motion/simulation/bssa14.hpp"
 #include "glissade/motion/simulation/components.hpp"
 
 namespace glissade {
@@ -30,6 +31,7 @@ Motion simulate_motion(const SyntheticRecipe& recipe, const SyntheticMotion& sou
   motion.dt_s = dt_s;
   motion.horizontal_mps2 = {std::move(components[0]), std::move(components[1])};
   motion.vertical_mps2 = std::move(components[2]);
+  motion.contradictions = outside_bssa14(scenario_of(source));
   return motion;
 }
 

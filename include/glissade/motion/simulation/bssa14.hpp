@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <string>
+#include <vector>
+
 #include "glissade/motion/simulation/scenario.hpp"
 
 namespace glissade {
@@ -10,6 +13,11 @@ namespace glissade {
 /// attenuation). Period 0, or below 0.01 s, is PGA; coefficients are interpolated in ln T between
 /// the tabulated periods, as OpenQuake does. Periods to 10 s, M 3-8.5, R_JB <= 400 km.
 double bssa14_median_sa_g(const Scenario& scenario, double period_s);
+
+/// What of an earthquake and site is outside the ranges that the authors give for their model: M 3
+/// to 8.5, R_JB to 400 km, V_S30 150 to 1500 m/s (their limits of the predictor variables;
+/// recalled). Nothing: all is within.
+std::vector<std::string> outside_bssa14(const Scenario& scenario);
 
 /// Median RotD50 peak ground velocity in m/s (same source).
 double bssa14_median_pgv_mps(const Scenario& scenario);

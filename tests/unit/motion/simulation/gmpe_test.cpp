@@ -114,5 +114,12 @@ TEST(gulerce_abrahamson, reproduces_the_ratios_of_pygmm) {
         << " T" << period_s;
 }
 
+TEST(outside_bssa14, names_what_is_outside_the_ranges_of_the_authors) {
+  EXPECT_TRUE(outside_bssa14({3.0, 0.0, 150.0}).empty());
+  EXPECT_TRUE(outside_bssa14({8.5, 400.0, 1500.0}).empty());
+  EXPECT_EQ(outside_bssa14({8.6, 401.0, 149.0}).size(), 3u);
+  EXPECT_NE(outside_bssa14({7.0, 20.0, 1600.0}).at(0).find("V_S30 of 1600 m/s"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace glissade
