@@ -21,6 +21,11 @@ struct ImportOptions {
   bool trim = false;          ///< to the end of the shortest component
   bool resample = false;      ///< to the shortest step of the components
   bool keep_single = false;   ///< records with one horizontal
+  /// Directions that nothing states are those that the files' names suggest.
+  bool directions_from_names = false;
+  /// Motions of a roof: of the channels of a structure whose location has these words ("roof"), or
+  /// that have these numbers ("7, 8"). Nothing: motions of the ground.
+  std::optional<std::string> roof = std::nullopt;
 };
 
 /// A component as it was read, without its samples.
@@ -31,6 +36,7 @@ struct FoundComponent {
   std::string name;     ///< as the file names it; may be empty
   std::string format;
   RecordHeader header;
+  std::string suggested_direction;  ///< by the file's name alone, where nothing states it
   double dt_s = 0.0;
   std::size_t samples = 0;
   double pga_g = 0.0;
@@ -46,6 +52,8 @@ struct FoundComponent {
     return (member.empty() ? file : std::filesystem::path(member)).filename().string();
   }
   std::string shown() const { return file_name() + address; }
+  /// A channel that states a location other than the free field.
+  bool is_of_structure() const;
   /// What a suite names.
   std::string whole_address() const { return (member.empty() ? "" : "#" + member) + address; }
 };
@@ -74,8 +82,10 @@ struct SuiteImport {
 
 /// Reads every file, with the gains of StationXML among them, and puts components of one station
 /// and event together, by their headers, the report and their names; what is not processed beside
-/// its processed version, what cannot be read or belongs to no record is left out, with the reason.
-/// Throws InputError where an input or the report is not there, or there are too many files.
+/// its processed version, channels of a structure (or, with `roof`, all others), what is no record
+/// and what belongs to none is left out, with the reason. Throws InputError where an input or the
+/// report is not there, there are too many files, or `roof` names no channel; IoError where a file
+/// or a folder cannot be read.
 SuiteImport import_suite(const ImportOptions& options);
 
 /// Whether a path is to be read as a suite file: named .toml, or with a line [suite]; not a folder
@@ -86,6 +96,7 @@ struct ImportedSuiteHead {
   std::string name;
   std::vector<std::string> comments;       ///< lines at the head of the file
   std::optional<AccelerationUnits> units;  ///< of files that do not state theirs
+  bool of_roof = false;
 };
 /// The suite file, to be written into `folder`: files by relative paths, with their SHA-256.
 std::string imported_suite_toml(const SuiteImport& found, const ImportedSuiteHead& head,

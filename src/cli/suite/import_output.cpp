@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 #include "glissade/core/error.hpp"
 #include "shared/option_errors.hpp"
@@ -44,6 +45,7 @@ Table components_table(const SuiteImport& found) {
               "As read of each file; processed as its header states.",
               {text_column("file", "File"),
                text_column("component", "Component"),
+               text_column("location", "Location"),
                detail(text_column("format", "Format")),
                text_column("unit", "Unit"),
                {"dt", "s", "Step, s", ColumnKind::number, "", false, 4},
@@ -62,12 +64,16 @@ Table components_table(const SuiteImport& found) {
     const RecordHeader& h = c.header;
     std::vector<std::string> notes = c.notes;
     notes.insert(notes.end(), c.faults.begin(), c.faults.end());
-    table.add({c.shown(), h.direction, c.format, h.unit.empty() ? "not stated" : h.unit, c.dt_s,
+    const std::string direction =
+        c.suggested_direction.empty() ? h.direction : c.suggested_direction + " by its name";
+    table.add({c.shown(), direction, h.location, c.format, h.unit.empty() ? "not stated" : h.unit, c.dt_s,
                static_cast<double>(c.samples), c.pga_g, std::string(processing(h)), h.event,
                h.station, given(h.magnitude), h.magnitude_kind, given(h.epicentral_km),
                given(h.vs30_mps), fmt::format("{}", fmt::join(notes, "; "))});
   }
-  return table;
+  const bool has_locations = std::ranges::any_of(
+      found.components, [](const FoundComponent& c) { return !c.header.location.empty(); });
+  return has_locations ? table : table.without("location");
 }
 
 void put_warnings(const SuiteImport& found) {
@@ -76,15 +82,41 @@ void put_warnings(const SuiteImport& found) {
     for (const std::string& warning : record.warnings) put_warning(record.id + ": " + warning);
 }
 
-void put_left_out(const SuiteImport& found) {
+Table channels_table(const SuiteImport& found) {
+  Table table{"channels",
+              "Channels of structures; --roof LOCATION or --roof CHANNELS takes some as a motion of "
+              "the roof",
+              {text_column("location", "Location"), text_column("channel", "Channel"),
+               text_column("direction", "Direction"),
+               {"pga", "g", "Peak, g", ColumnKind::number, "", false, 4},
+               text_column("file", "File")},
+              {}};
+  std::vector<const FoundComponent*> channels;
+  for (const FoundComponent& c : found.components)
+    if (!c.header.location.empty()) channels.push_back(&c);
+  std::ranges::stable_sort(channels, {}, [](const FoundComponent* c) {
+    const RecordHeader& h = c->header;
+    return std::tuple(h.event, h.station, h.location, h.channel.size(), h.channel);
+  });
+  for (const FoundComponent* c : channels)
+    table.add({c->header.location, c->header.channel, c->header.direction, c->pga_g, c->shown()});
+  return table;
+}
+
+std::string left_out_text(const SuiteImport& found) {
   constexpr std::size_t most = 100;
-  if (found.left_out.empty()) return;
-  put("\nleft out:\n");
+  if (found.left_out.empty()) return "";
+  std::string text = "left out:\n";
   for (std::size_t i = 0; i < std::min(most, found.left_out.size()); ++i)
-    put_lines("  " + found.left_out[i].what + ": " + found.left_out[i].reason, 4);
+    text += "  " + wrapped(found.left_out[i].what + ": " + found.left_out[i].reason,
+                           terminal_width, 4) + "\n";
   if (found.left_out.size() > most)
-    put("  and {} more: --json lists all\n", found.left_out.size() - most);
-  put("Units and steps that files do not state: --units, --dt-s\n");
+    text += fmt::format("  and {} more: --json lists all\n", found.left_out.size() - most);
+  return text + "Units and steps that files do not state: --units, --dt-s\n";
+}
+
+void put_left_out(const SuiteImport& found) {
+  if (!found.left_out.empty()) put("\n{}", left_out_text(found));
 }
 
 }  // namespace glissade::cli

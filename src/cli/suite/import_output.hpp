@@ -21,7 +21,11 @@ struct MissingOptions {
 
 /// What was read of each file: component, step, unit, PGA, processed or not.
 Table components_table(const SuiteImport& found);
+/// The channels of structures, by location; no rows where there are none.
+Table channels_table(const SuiteImport& found);
 void put_warnings(const SuiteImport& found);
+/// Each file that is left out and why; no lines where there are none.
+std::string left_out_text(const SuiteImport& found);
 void put_left_out(const SuiteImport& found);
 
 }  // namespace glissade::cli

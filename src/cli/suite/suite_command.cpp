@@ -232,7 +232,7 @@ void put_target(const SuiteOptions& o, const ConditionalOptions& conditional) {
   const ConditionalTarget target = conditional.target();
   Table table = target_table(target);
   table.title = conditional.sentence(target);
-  for (const std::string& warning : target_warnings(target))
+  for (const std::string& warning : conditional.warnings(target))
     table.notes.push_back("WARNING: " + warning);
   deliver(o, to_csv(table));
 }

@@ -22,9 +22,9 @@ using Json = nlohmann::ordered_json;
 
 struct ImportCommand {
   std::vector<std::string> inputs;
-  std::string report, out, name;
+  std::string report, out, name, roof;
   MissingOptions missing;
-  bool trim = false, resample = false, keep_single = false, json = false, overwrite = false;
+  bool trim = false, resample = false, keep_single = false, directions_from_names = false, json = false, overwrite = false;
 };
 
 ImportOptions options_of(const ImportCommand& o) {
@@ -35,6 +35,8 @@ ImportOptions options_of(const ImportCommand& o) {
   options.trim = o.trim;
   options.resample = o.resample;
   options.keep_single = o.keep_single;
+  options.directions_from_names = o.directions_from_names;
+  if (!o.roof.empty()) options.roof = o.roof;
   return options;
 }
 
@@ -97,6 +99,10 @@ Json to_json(const SuiteImport& found) {
       const FoundComponent& c = found.components[*r.components[i]];
       record[keys[i]] = {{"file", c.file.string() + c.whole_address()},
                          {"format", c.format},
+                         {"direction", c.header.direction},
+                         {"direction_is_of_name", !c.suggested_direction.empty()},
+                         {"location", text_or_null(c.header.location)},
+                         {"channel", text_or_null(c.header.channel)},
                          {"dt_s", c.dt_s},
                          {"samples", c.samples},
                          {"pga_g", c.pga_g},
@@ -110,15 +116,15 @@ Json to_json(const SuiteImport& found) {
   return json;
 }
 
-void check_any(const SuiteImport& found) {
+/// Every file and why it is left out, where nothing is left.
+void check_any(const SuiteImport& found, bool are_listed) {
   if (!found.records.empty()) return;
-  constexpr std::size_t most = 6;
-  std::string reasons;
-  for (std::size_t i = 0; i < std::min(most, found.left_out.size()); ++i)
-    reasons += fmt::format("{}{}: {}", i == 0 ? "" : "\n", found.left_out[i].what,
-                           found.left_out[i].reason);
+  const Table channels = channels_table(found);
+  const std::string list = are_listed            ? ""
+                           : channels.rows.empty() ? left_out_text(found)
+                                                   : to_text(channels) + "\n" + left_out_text(found);
   throw InputError(
-      {"suite import", "no record was found in the files", "see what was left out", reasons});
+      {"suite import", "no record was found in the files", "see what was left out", list});
 }
 
 std::string suite_text(const ImportCommand& o, const SuiteImport& found) {
@@ -129,18 +135,25 @@ std::string suite_text(const ImportCommand& o, const SuiteImport& found) {
                           fmt::format("{} records; distances are to the rupture, magnitudes moment "
                                       "magnitudes, where no other kind is stated",
                                       found.records.size())},
-                         o.missing.of_files().units_if_not_stated};
+                         o.missing.of_files().units_if_not_stated,
+                         !o.roof.empty()};
+  if (o.directions_from_names)
+    head.comments.emplace_back("Directions that no header states are those of the files' names");
+  if (head.of_roof) head.comments.push_back("Channels of a structure: --roof " + o.roof);
   return imported_suite_toml(found, head, out.parent_path());
 }
 
 void run_import(const ImportCommand& o) {
   check_output_file(o.out, "--out", o.overwrite);
   const SuiteImport found = import_suite(options_of(o));
-  check_any(found);
+  if (o.json) put_json(to_json(found));
+  check_any(found, o.json);
   if (!o.out.empty()) write_text_file(o.out, suite_text(o, found));
-  if (o.json) return put_json(to_json(found));
+  if (o.json) return;
   put("{}", to_text(records_table(found)));
   put_warnings(found);
+  if (const Table channels = channels_table(found); !channels.rows.empty())
+    put("\n{}", to_text(channels));
   put_left_out(found);
   if (!o.out.empty()) put("\nsuite file   {}\n", o.out);
 }
@@ -161,6 +174,13 @@ void add_suite_import(CLI::App& suite) {
   command->add_flag("--resample", o->resample,
                     "interpolate components to the shortest step of their record");
   command->add_flag("--keep-single", o->keep_single, "keep records with one horizontal only");
+  command->add_flag("--directions-from-names", o->directions_from_names,
+                    "take directions that nothing states as the files' names suggest them: "
+                    "A-000.txt with A-090.txt");
+  command->add_option("--roof", o->roof,
+                      "motions of a roof (motions = \"roof\"): channels of a structure, CSMIP or "
+                      "COSMOS, by words of their location, --roof roof, or by their numbers, "
+                      "--roof 7,8 [motions of the ground]");
   command->add_option("--name", o->name, "name of the suite [that of its file]");
   command->add_option("--out", o->out, "new suite file [none is written]");
   add_overwrite(*command, o->overwrite);

@@ -45,17 +45,22 @@ bool is_utc_time(std::string_view token) {
   return true;
 }
 
-/// The direction at the end of a token, "GIL067", "HECVER", "20140203E"; 0: none.
-std::size_t direction_suffix(std::string_view token) {
+/// The direction at the end of a token, "GIL067", "HECVER", "20140203E"; 0: none. The last digits
+/// of a longer number, "eq2019", are one only where the direction is stated.
+std::size_t direction_suffix(std::string_view token,
+                             const std::optional<ComponentDirection>& stated) {
   if (is_utc_time(token)) return 0;
   constexpr std::size_t azimuth = 3;
   const auto is_letter = [](char c) { return !is_digit(c); };
   if (token.size() > azimuth && is_azimuth(token.substr(token.size() - azimuth)) &&
-      std::ranges::any_of(token, is_letter))
+      std::ranges::any_of(token, is_letter) &&
+      (stated || is_letter(token[token.size() - azimuth - 1])))
     return azimuth;
   const std::string lower = lower_case(token);
-  for (const std::string_view word : {"dwn", "ver", "vrt"})
-    if (lower.size() > word.size() && lower.ends_with(word)) return word.size();
+  for (const std::string_view word : {"dwn", "ver", "vrt", "up"})
+    if (lower.size() > word.size() && lower.ends_with(word) &&
+        (word != "up" || (stated && stated->is_vertical)))
+      return word.size();
   if (lower.size() > 1 && is_digit(lower[lower.size() - 2]) &&
       is_one_of(std::string_view(lower).substr(lower.size() - 1), {"n", "e", "v", "z"}))
     return 1;
@@ -103,7 +108,7 @@ std::string plain_line(std::string_view text) {
   return printable_name(single_blanks(text.substr(0, most)));
 }
 
-SplitName split_direction(std::string_view stem) {
+SplitName split_direction(std::string_view stem, const std::optional<ComponentDirection>& stated) {
   std::size_t end = stem.size();
   for (bool is_last = true; end > 0; is_last = false) {
     const std::size_t before = stem.find_last_of(separators, end - 1);
@@ -115,7 +120,7 @@ SplitName split_direction(std::string_view stem) {
         rest.pop_back();
       return {rest + std::string(stem.substr(end)), std::string(token)};
     }
-    if (const std::size_t suffix = is_last ? direction_suffix(token) : 0; suffix > 0)
+    if (const std::size_t suffix = is_last ? direction_suffix(token, stated) : 0; suffix > 0)
       return {std::string(stem.substr(0, end - suffix)), std::string(stem.substr(end - suffix))};
     if (before == std::string_view::npos) break;
     end = before;
@@ -138,6 +143,12 @@ std::string record_sequence_number(std::string_view file_name) {
   while (end < file_name.size() && is_digit(file_name[end])) ++end;
   const bool ends_there = end < file_name.size() && !std::isalpha(file_name[end]);
   return ends_there ? std::string(file_name.substr(3, end - 3)) : "";
+}
+
+std::string peer_direction(std::string_view stem) {
+  return record_sequence_number(stem).empty()
+             ? ""
+             : split_direction(stem, ComponentDirection{.is_vertical = true}).direction;
 }
 
 }  // namespace glissade

@@ -23,12 +23,18 @@ struct ComponentDirection {
 std::optional<ComponentDirection> component_direction(std::string_view word);
 
 /// The name of a file in two parts: "RSN763_LOMAP_GIL" and "067", "BOL" and "000", "a_TLM1" and
-/// "NS"; with no direction where none is found.
+/// "NS"; with no direction where none is found. A name alone can only suggest one: it may as well
+/// be the number of an earthquake or a date.
 struct SplitName {
   std::string rest, direction;
 };
 /// @param stem of the file's name, without its extension
-SplitName split_direction(std::string_view stem);
+/// @param stated by the header, the report or the scheme of names; nothing: not stated
+SplitName split_direction(std::string_view stem, const std::optional<ComponentDirection>& stated);
+
+/// By the scheme of names of PEER's NGA data bases: "067" of "RSN763_LOMAP_GIL067"; "" of a name
+/// that is not by it.
+std::string peer_direction(std::string_view stem);
 
 /// Without the ending of a file's name; that of K-NET (AOM0170806140843.EW) names its direction.
 std::string stem_of(const std::filesystem::path& file);

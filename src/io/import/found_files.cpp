@@ -7,9 +7,10 @@
 #include <cctype>
 #include <functional>
 #include <set>
-#include <system_error>
 
+#include "glissade/core/folder.hpp"
 #include "glissade/core/hash.hpp"
+#include "glissade/core/input_file.hpp"
 #include "glissade/core/units.hpp"
 #include "glissade/io/sha256.hpp"
 #include "glissade/motion/intensity.hpp"
@@ -17,7 +18,6 @@
 #include "import/component_name.hpp"
 #include "import/search_report.hpp"
 #include "records/formats/reading.hpp"
-#include "records/packed_files.hpp"
 
 namespace glissade {
 namespace {
@@ -28,44 +28,34 @@ constexpr std::size_t most_files = 20'000, most_components = 64;
 
 bool is_hidden(const fs::path& path) { return path.filename().string().starts_with('.'); }
 
-/// Where a link leads, or nothing.
-std::optional<fs::path> real_path(const fs::path& path) {
-  std::error_code error;
-  const fs::path real = fs::canonical(path, error);
-  return error ? std::nullopt : std::optional(real);
-}
-
 bool is_below(const fs::path& file, const fs::path& folder) {
   return std::mismatch(folder.begin(), folder.end(), file.begin(), file.end()).first ==
          folder.end();
 }
 
-void add_folder(const fs::path& folder, std::set<fs::path>& files, std::vector<LeftOut>& left_out) {
-  const fs::path top = real_path(folder).value_or(folder);
-  std::error_code error;
-  fs::recursive_directory_iterator entry(folder, fs::directory_options::skip_permission_denied,
-                                         error);
-  for (; !error && entry != fs::recursive_directory_iterator(); entry.increment(error)) {
-    std::error_code ignored;
-    if (is_hidden(entry->path())) {
-      if (entry->is_directory(ignored)) entry.disable_recursion_pending();
-      continue;
+/// The files of the inputs.
+struct FileSearch {
+  std::set<fs::path> files;
+  std::vector<LeftOut>& left_out;
+
+  /// @param top real path of the folder that was named
+  void add_below(const fs::path& folder, const fs::path& top) {
+    for (const fs::path& entry : files_in(folder)) {
+      if (is_hidden(entry)) continue;
+      const bool is_link = fs::is_symlink(link_status_of(entry));
+      const fs::file_status status = status_of(entry);
+      if (is_link && (!fs::exists(status) || !is_below(real_path(entry), top)))
+        left_out.push_back({entry.string(), "a link out of the folder: name the file"});
+      else if (!fs::is_directory(status))
+        files.insert(entry);
+      else if (!is_link)
+        add_below(entry, top);
+      if (files.size() > most_files)
+        throw InputError({folder.string(), fmt::format("has more than {} files", most_files),
+                          "name the folder that holds the records", ""});
     }
-    if (entry->is_symlink(ignored)) {
-      const auto real = real_path(entry->path());
-      if (!real || !is_below(*real, top)) {
-        left_out.push_back({entry->path().string(), "a link out of the folder: name the file"});
-        continue;
-      }
-    }
-    if (entry->is_directory(ignored)) continue;
-    files.insert(entry->path());
-    if (files.size() > most_files)
-      throw InputError({folder.string(), fmt::format("has more than {} files", most_files),
-                        "name the folder that holds the records", ""});
   }
-  if (error) throw InputError({folder.string(), "cannot be listed: " + error.message(), "", ""});
-}
+};
 
 /// "#U1" by its name, where that names no other, else "#2"; "" of the only one.
 std::string address_of(const fs::path& file, const std::vector<FileComponent>& components,
@@ -83,14 +73,25 @@ std::string address_of(const fs::path& file, const std::vector<FileComponent>& c
   return fmt::format("#{}", at + 1);
 }
 
-/// As the header states it; else by the name of the component, or of the file.
-std::string direction_of(const FileComponent& component, const fs::path& file) {
-  const std::string& stated = component.header.direction;
-  if (component_direction(stated)) return stated;
+/// As the header states it; else by the name of the component, or by the scheme of names of the
+/// network whose format it is; "" where none states it.
+std::string stated_direction(const FileComponent& component, const RecordFormat& format,
+                             const std::string& stem) {
+  if (component_direction(component.header.direction)) return component.header.direction;
   if (component_direction(component.name)) return plain_direction(component.name);
-  const SplitName name = split_direction(stem_of(file));
-  if (!name.direction.empty()) return name.direction;
-  return stated.empty() ? component.name : stated;
+  return &format == &at2_format ? peer_direction(stem) : "";
+}
+
+void take_direction(FoundComponent& found, const FileComponent& component,
+                    const RecordFormat& format) {
+  const std::string stem = stem_of(found.file_name());
+  const std::string stated = stated_direction(component, format, stem);
+  if (!stated.empty())
+    found.header.direction = stated;
+  else if (found.header.direction.empty())
+    found.header.direction = component.name;
+  if (stated.empty() && found.address.empty())
+    found.suggested_direction = split_direction(stem, std::nullopt).direction;
 }
 
 FoundComponent found_component(const FileToRead& file, const RecordFormat& format,
@@ -103,11 +104,11 @@ FoundComponent found_component(const FileToRead& file, const RecordFormat& forma
   found.name = plain_line(component.name);
   found.format = format.name;
   found.header = component.header;
-  found.header.direction = direction_of(component, found.file_name());
+  take_direction(found, component, format);
   for (std::string* text :
-       {&found.header.event, &found.header.station, &found.header.direction,
-        &found.header.location, &found.header.channel, &found.header.unit, &found.header.event_id,
-        &found.header.magnitude_kind})
+       {&found.header.event, &found.header.station, &found.header.direction, &found.header.unit,
+        &found.header.event_id, &found.header.magnitude_kind, &found.header.location,
+        &found.header.channel, &found.suggested_direction})
     *text = plain_line(*text);
   while (found.header.unit.ends_with('.')) found.header.unit.pop_back();
   found.dt_s = record.dt_s;
@@ -129,25 +130,23 @@ FoundComponent found_component(const FileToRead& file, const RecordFormat& forma
 
 std::vector<fs::path> found_files(const std::vector<fs::path>& inputs,
                                   std::vector<LeftOut>& left_out) {
-  std::set<fs::path> files;
+  FileSearch search{{}, left_out};
   ProblemList problems;
   for (const fs::path& input : inputs) {
-    std::error_code error;
-    if (!fs::exists(input, error))
+    const fs::file_status status = status_of(input);
+    if (!fs::exists(status))
       problems.add({input.string(), "No such file or directory", "name a folder or files", ""});
-    else if (fs::is_directory(input, error))
-      add_folder(input, files, left_out);
+    else if (fs::is_directory(status))
+      search.add_below(input, real_path(input));
     else
-      files.insert(input);
+      search.files.insert(input);
   }
   problems.throw_if_any();
-  return {files.begin(), files.end()};
+  return {search.files.begin(), search.files.end()};
 }
 
 std::vector<FoundComponent> read_components(const FileToRead& file,
                                             const RecordFileOptions& missing) {
-  if (is_archive(file.bytes))
-    refuse_record(file.shown(), "is an archive in an archive", "unpack it");
   const RecordText text = record_text(file.shown(), file.bytes);
   const RecordFormat& format = format_of(text);
   if (!format.is_binary && is_search_report(text.text))

@@ -9,7 +9,8 @@
 namespace glissade {
 
 /// The files of the inputs, each once, sorted; of folders all below them, but for hidden ones and
-/// links out of the folder. Throws InputError where an input is not there, and for too many files.
+/// links out of the folder. Throws InputError where an input is not there, and for too many files;
+/// IoError where a folder cannot be listed.
 std::vector<std::filesystem::path> found_files(const std::vector<std::filesystem::path>& inputs,
                                                std::vector<LeftOut>& left_out);
 

@@ -2,6 +2,7 @@
 #include "import/pairing.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
@@ -10,10 +11,13 @@
 #include <functional>
 #include <map>
 #include <set>
+#include <sstream>
 #include <tuple>
 
+#include "glissade/core/error.hpp"
 #include "glissade/core/printable.hpp"
 #include "import/component_name.hpp"
+#include "records/formats/reading.hpp"
 #include "text/scan.hpp"
 
 namespace glissade {
@@ -96,16 +100,18 @@ ComponentPiece piece_of(std::size_t component, const FoundComponent& found,
   ComponentPiece piece{component, &found, {}, {}, nullptr, {}, "", "", ""};
   const bool is_one_of_several = !found.address.empty();
   const std::string stem = stem_of(found.file_name());
-  piece.name = is_one_of_several ? SplitName{stem, ""} : split_direction(stem);
   report.look_up(piece);
   piece.direction = direction_of(piece);
+  piece.name = is_one_of_several ? SplitName{stem, ""} : split_direction(stem, piece.direction);
   if (is_other(component_direction(piece.name.direction), piece.direction))
     piece.name = {stem, ""};  // "CHB0021412312349.EW" is a time
   const std::string folder = found.member.empty()
                                  ? found.file.parent_path().string()
                                  : (found.file / found.member).parent_path().string();
-  piece.narrow_key = folder + "|" + (is_one_of_several ? found.file_name() : piece.name.rest);
   const RecordHeader& header = found.header;
+  piece.narrow_key =
+      folder + "|" + (is_one_of_several ? found.file_name() : piece.name.rest);
+  if (!header.location.empty()) piece.narrow_key = "at|" + lower_case(header.location);
   piece.state = !header.is_processed ? "" : *header.is_processed ? "processed" : "raw";
   if (piece.row != nullptr)
     piece.key =
@@ -116,6 +122,10 @@ ComponentPiece piece_of(std::size_t component, const FoundComponent& found,
   else
     piece.key = fmt::format("name|{}|{}", piece.narrow_key, lower_case(header.station));
   return piece;
+}
+
+std::string path_of(const ComponentPiece& piece) {
+  return piece.found->file.string() + piece.found->whole_address();
 }
 
 std::string listed(const Pieces& pieces) {
@@ -144,35 +154,55 @@ bool are_perpendicular(const ComponentPiece& one, const ComponentPiece& other) {
          std::abs(std::abs(std::remainder(*first - *second, 180.0)) - 90.0) <= tolerance_deg;
 }
 
-/// Why the pieces are no record; "" where they are one.
-std::string reason_against(const Pieces& pieces, const ImportOptions& options) {
-  constexpr const char* by_hand = "; write its [[record]] by hand: first, second, vertical";
+constexpr const char* by_hand = "; write its [[record]] by hand: first, second, vertical";
+
+std::string reason_against_direction(const ComponentPiece& piece, const Pieces& pieces) {
+  const FoundComponent& found = *piece.found;
+  if (piece.direction)
+    return "a component of its record has no direction: " +
+           std::ranges::find_if(pieces, [](const ComponentPiece& p) {
+             return !p.direction;
+           })->found->shown();
+  return fmt::format(
+      "nothing states which component it is{}{}",
+      found.header.direction.empty()
+          ? ""
+          : fmt::format(", as {} is no direction", in_quotes(found.header.direction)),
+      found.suggested_direction.empty()
+          ? by_hand
+          : fmt::format("; its name suggests {}: --directions-from-names takes it",
+                        found.suggested_direction));
+}
+
+/// Why pieces of one station and event are no record, said of one of them; "" where they are one.
+std::string reason_against(const ComponentPiece& piece, const Pieces& pieces,
+                           const ImportOptions& options) {
+  const char* way_on = options.roof ? "; name those of one motion: --roof 1,2" : by_hand;
   const std::size_t across = horizontals(pieces);
+  if (std::ranges::any_of(pieces, [](const ComponentPiece& p) { return !p.direction; }))
+    return reason_against_direction(piece, pieces);
   if (!is_one_record(pieces))
     return fmt::format(
-        "{} horizontal and {} vertical components of one station and event: which belong together "
-        "is not stated{}",
-        across, pieces.size() - across, by_hand);
-  const auto unnamed =
-      std::ranges::find_if(pieces, [](const ComponentPiece& p) { return !p.direction; });
-  if (unnamed != pieces.end())
-    return fmt::format("neither its header nor its name says which component {} is{}",
-                       unnamed->found->shown(), by_hand);
-  if (across == 0) return "no horizontal component of its station and event";
+        "one of {} horizontal and {} vertical components of one station and event ({}): which "
+        "belong together is not stated{}",
+        across, pieces.size() - across, listed(pieces), way_on);
+  if (across == 0) return "no horizontal component is of its station, event and name";
   if (across == 1 && !options.keep_single)
-    return "one horizontal component only of its station and event: --keep-single takes it";
+    return fmt::format("one horizontal component only is of its station, event and name: "
+                       "--keep-single takes it{}",
+                       options.roof ? "; or name channels of several locations: --roof 1,2" : "");
   if (across == 2 && !are_perpendicular(pieces[0], pieces[1]))
     return fmt::format("horizontals of {:g} and {:g} degrees, which are not perpendicular{}",
                        *pieces[0].direction->azimuth_deg, *pieces[1].direction->azimuth_deg,
-                       by_hand);
+                       way_on);
   const auto step = [](const ComponentPiece& p) { return p.found->dt_s; };
   const double shortest_s = std::ranges::min(pieces, {}, step).found->dt_s;
-  for (const ComponentPiece& piece : pieces) {
-    const double ratio = step(piece) / shortest_s;
+  for (const ComponentPiece& other : pieces) {
+    const double ratio = step(other) / shortest_s;
     if (!options.resample && std::abs(ratio - std::round(ratio)) > 1e-6)
       return fmt::format(
           "steps of {:g} and {:g} s, one no multiple of the other: --resample interpolates",
-          shortest_s, step(piece));
+          shortest_s, step(other));
   }
   return "";
 }
@@ -235,7 +265,23 @@ void compare_steps(ImportedRecord& record, const Pieces& pieces, const ImportOpt
   if (options.resample && step(*shortest) < step(*longest)) record.step_s = step(*shortest);
 }
 
+void warn_of_names_and_locations(ImportedRecord& record, const Pieces& pieces) {
+  std::string suggested;
+  std::set<std::string> locations;
+  for (const ComponentPiece& piece : pieces) {
+    if (!piece.found->suggested_direction.empty())
+      suggested += (suggested.empty() ? "" : ", ") + piece.found->suggested_direction;
+    locations.insert(piece.found->header.location);
+  }
+  if (!suggested.empty())
+    record.warnings.push_back("directions that only the names of its files suggest: " + suggested);
+  if (locations.size() > 1)
+    record.warnings.push_back("its components are at several locations: " +
+                              fmt::format("{}", fmt::join(locations, "; ")));
+}
+
 void warn_of_components(ImportedRecord& record, const Pieces& pieces) {
+  warn_of_names_and_locations(record, pieces);
   if (record.station.ends_with(" borehole"))
     record.warnings.push_back("was recorded in a borehole: the surface moves more");
   for (const ComponentPiece& piece : pieces) {
@@ -253,7 +299,7 @@ void warn_of_components(ImportedRecord& record, const Pieces& pieces) {
   if (pieces.front().row == nullptr) return;
   for (const std::string& file : pieces.front().row->files) {
     const bool is_there = std::ranges::any_of(pieces, [&](const ComponentPiece& p) {
-      return lower_case(p.found->file.filename().string()) == lower_case(file);
+      return lower_case(p.found->file_name()) == lower_case(file);
     });
     if (!file.empty() && !is_there)
       record.warnings.push_back("the report names " + in_quotes(file) +
@@ -264,8 +310,11 @@ void warn_of_components(ImportedRecord& record, const Pieces& pieces) {
 /// A to z, 0 to 9, and what does not act on a shell; unique.
 std::string id_of(const ComponentPiece& piece, std::set<std::string>& taken) {
   constexpr std::size_t longest = 34;
+  const RecordHeader& header = piece.found->header;
+  const std::string name =
+      header.location.empty() ? piece.name.rest : header.station + " " + header.location;
   std::string id;
-  for (const char c : piece.name.rest.substr(0, longest)) {
+  for (const char c : name.substr(0, longest)) {
     const bool is_plain = std::isalnum(static_cast<unsigned char>(c)) != 0 && (c & 0x80) == 0;
     id += is_plain || c == '.' || c == '-' || c == '_' ? c : '_';
   }
@@ -367,9 +416,12 @@ void compare_records(SuiteImport& found) {
       if (i == first) continue;
       if (processed != group.end() && is_processed(record) == false) {
         unprocessed.insert(i);
-        found.left_out.push_back(
-            {record.id, "is not processed; " + found.records[first].id +
-                            " is the same record, processed: to take this one import it alone"});
+        for (const auto& at : record.components)
+          if (at)
+            found.left_out.push_back(
+                {found.components[*at].file.string() + found.components[*at].whole_address(),
+                 "is not processed; " + found.records[first].id +
+                     " is the same record, processed: to take this one import it alone"});
       } else {
         record.warnings.push_back("is of the same event and station as " + found.records[first].id +
                                   ": two such records are not independent");
@@ -382,18 +434,106 @@ void compare_records(SuiteImport& found) {
   found.records = std::move(kept);
 }
 
+/// The channels that a roof's option names: by their numbers, "7, 8", or by words of their
+/// location, "roof".
+class RoofChannels {
+ public:
+  explicit RoofChannels(const std::string& text) : words_(lower_case(single_blanks(text))) {
+    if (text.find_first_not_of("0123456789, ") == std::string::npos) {
+      std::string list = text;
+      std::ranges::replace(list, ',', ' ');
+      std::istringstream in(list);
+      for (std::string number; in >> number;) numbers_.insert(number);
+    }
+    if (numbers_.empty() && trimmed(words_).empty())
+      throw InputError({"--roof", "names no channel",
+                        "give words of a location, --roof roof, or channels, --roof 7,8", ""});
+  }
+  bool are_numbers() const { return !numbers_.empty(); }
+  bool have(const RecordHeader& header) const {
+    if (header.location.empty()) return false;
+    return are_numbers() ? numbers_.contains(header.channel)
+                         : lower_case(header.location).find(trimmed(words_)) != std::string::npos;
+  }
+  /// Throws InputError where some name nothing.
+  void check(const Pieces& pieces) const {
+    const auto is_there = [&](const std::string& number) {
+      return std::ranges::any_of(pieces, [&](const ComponentPiece& p) {
+        return p.found->header.channel == number && !p.found->header.location.empty();
+      });
+    };
+    for (const std::string& number : numbers_)
+      if (!is_there(number))
+        throw InputError({"--roof", "channel " + number + " is not among the files",
+                          "give channels of these", channels_of(pieces)});
+    if (std::ranges::none_of(pieces,
+                             [&](const ComponentPiece& p) { return have(p.found->header); }))
+      throw InputError({"--roof", "no channel's location has the words " + in_quotes(words_),
+                        "give words of a location, or channels, of these", channels_of(pieces)});
+  }
+
+ private:
+  static std::string channels_of(const Pieces& pieces) {
+    std::string list;
+    for (const ComponentPiece& p : pieces)
+      if (const RecordHeader& h = p.found->header; !h.location.empty())
+        list += fmt::format("{}channel {}, {}: {}", list.empty() ? "" : "\n", h.channel,
+                            h.direction, h.location);
+    return list.empty() ? "no file states a location" : list;
+  }
+
+  std::string words_;
+  std::set<std::string> numbers_;
+};
+
+std::string channel_and_location(const RecordHeader& header) {
+  return fmt::format("channel {} at {}", header.channel, in_quotes(header.location));
+}
+
+/// Those of the ground, or of a roof; the others are left out.
+Pieces meant_pieces(const Pieces& pieces, const ImportOptions& options, SuiteImport& found) {
+  std::optional<RoofChannels> roof;
+  if (options.roof) {
+    roof.emplace(*options.roof);
+    roof->check(pieces);
+  }
+  Pieces meant;
+  for (const ComponentPiece& piece : pieces) {
+    const RecordHeader& header = piece.found->header;
+    if (roof ? roof->have(header) : !piece.found->is_of_structure()) {
+      meant.push_back(piece);
+      if (roof && roof->are_numbers()) meant.back().narrow_key = "numbered";
+    } else if (header.location.empty()) {
+      found.left_out.push_back({path_of(piece), "states no location of a structure, as --roof requires"});
+    } else {
+      found.left_out.push_back(
+          {path_of(piece), channel_and_location(header) +
+                               (roof ? " is not of --roof"
+                                     : " of a structure: --roof takes channels as a motion of its "
+                                       "roof")});
+    }
+  }
+  return meant;
+}
+
 }  // namespace
 
+bool FoundComponent::is_of_structure() const {
+  std::string at = lower_case(header.location);
+  std::erase_if(at, [](char c) { return c == ' ' || c == '-'; });
+  return !at.empty() && at != "ground" && at.find("freefield") == std::string::npos;
+}
+
 void pair_components(SuiteImport& found, const SearchReport* report, const ImportOptions& options) {
-  const Pieces pieces = different_pieces(found, ReportIndex(report));
+  const Pieces pieces = meant_pieces(different_pieces(found, ReportIndex(report)), options, found);
   std::set<std::string> ids;
   const auto take = [&](Pieces group) {
     sort_pieces(group);
-    const std::string reason = reason_against(group, options);
-    if (reason.empty())
+    if (reason_against(group.front(), group, options).empty())
       found.records.push_back(record_of(group, options, ids));
     else
-      found.left_out.push_back({listed(group), reason});
+      for (const ComponentPiece& piece : group)
+        found.left_out.push_back({path_of(piece), reason_against(piece, group, options)});
   };
   // Several versions of a record, of which one is not processed, are separated before names are
   // compared.

@@ -17,6 +17,19 @@
 namespace glissade {
 namespace {
 
+/// As it was before a spreadsheet took a cell with quotes, `" ""Place"""`, for a text with them.
+std::string without_quotes(std::string_view cell) {
+  std::string text;
+  for (std::size_t i = 0; i < cell.size(); ++i) {
+    text += cell[i];
+    if (cell.substr(i).starts_with("\"\"")) ++i;
+  }
+  std::string_view inside = trimmed(text);
+  while (inside.size() > 1 && inside.front() == '"' && inside.back() == '"')
+    inside = trimmed(inside.substr(1, inside.size() - 2));
+  return std::string(inside);
+}
+
 /// A heading and where its columns are.
 class ReportColumns {
  public:
@@ -30,11 +43,14 @@ class ReportColumns {
   std::string text(const Cells& row, std::string_view name) const {
     const auto at =
         static_cast<std::size_t>(std::ranges::find(names_, lower_case(name)) - names_.begin());
-    return std::string(at < row.size() ? row[at] : "");
+    return at < row.size() ? without_quotes(row[at]) : "";
   }
-  /// 0 where it is no number above 0 and up to `most`: reports write "-", "-999" or nothing.
+  /// 0 where it is no number above 0 and up to `most`: reports write "-", "-999" or nothing. A
+  /// spreadsheet may write 6,5 between semicolons or tabs.
   double number(const Cells& row, std::string_view name, double most) const {
-    const auto value = parse_number(text(row, name));
+    std::string written = text(row, name);
+    std::ranges::replace(written, ',', '.');
+    const auto value = parse_number(written);
     return value && *value > 0.0 && *value <= most ? *value : 0.0;
   }
   std::size_t size() const { return names_.size(); }
@@ -112,6 +128,19 @@ ReportRow esm_row(const ReportColumns& columns, const Cells& cells) {
   return row;
 }
 
+/// Where a table of records ends: footers of a spreadsheet have as many cells.
+bool is_row(const ReportColumns& columns, const Cells& cells, bool is_peer) {
+  return cells.size() >= columns.size() &&
+         (is_peer ? parse_number(columns.text(cells, "Record Sequence Number")).has_value()
+                  : !columns.text(cells, "event_id").empty());
+}
+
+/// What most often separates the cells of a heading.
+char separator_of(std::string_view heading) {
+  return std::ranges::max(std::string_view(",;\t"), {},
+                          [&](char c) { return std::ranges::count(heading, c); });
+}
+
 void warn_of_scaling(std::string_view text, SearchReport& report) {
   const bool is_scaled = std::ranges::any_of(
       report.rows, [](const ReportRow& row) { return row.scale > 0.0 && row.scale != 1.0; });
@@ -127,8 +156,10 @@ bool is_search_report(std::string_view text) {
   constexpr std::size_t most_lines = 200;
   LineReader lines(text);
   while (lines.number() < most_lines && lines.next()) {
-    if (lines.line().find("Record Sequence Number,") != std::string_view::npos ||
-        lines.line().starts_with("event_id"))
+    const std::string_view line = lines.line();
+    if (line.starts_with("event_id") ||
+        (line.find("Record Sequence Number") != std::string_view::npos &&
+         line.find("Horizontal-1 Acc. Filename") != std::string_view::npos))
       return true;
   }
   return false;
@@ -143,8 +174,7 @@ SearchReport read_search_report(const TextFile& file) {
     if (lines.line().find("Record Sequence Number") == std::string_view::npos &&
         lines.line().find("event_id") == std::string_view::npos)
       continue;
-    const char separator =
-        std::ranges::count(lines.line(), ';') > std::ranges::count(lines.line(), ',') ? ';' : ',';
+    const char separator = separator_of(lines.line());
     const ReportColumns columns(quoted_cells(lines.line(), separator));
     const bool is_peer = is_peer_heading(columns);
     if (!is_peer && !is_esm_heading(columns)) continue;
@@ -152,7 +182,7 @@ SearchReport read_search_report(const TextFile& file) {
     // The table goes on to the first line that is none of its rows.
     for (LineReader ahead = lines; ahead.next(); lines = ahead) {
       const auto cells = quoted_cells(ahead.line(), separator);
-      if (cells.size() < columns.size()) break;
+      if (!is_row(columns, cells, is_peer)) break;
       report.rows.push_back(is_peer ? peer_row(columns, cells) : esm_row(columns, cells));
     }
   }

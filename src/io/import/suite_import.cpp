@@ -4,14 +4,17 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <iterator>
 
 #include "glissade/core/error.hpp"
 #include "glissade/core/file.hpp"
+#include "glissade/core/input_file.hpp"
 #include "glissade/core/printable.hpp"
 #include "import/component_name.hpp"
 #include "import/found_files.hpp"
 #include "import/pairing.hpp"
+#include "records/formats/reading.hpp"
 #include "records/packed_files.hpp"
 #include "records/station_metadata.hpp"
 #include "suites/record_entry.hpp"
@@ -29,19 +32,29 @@ std::string reason_of(const InputError& error) {
   return problem.what + (problem.suggestion.empty() ? "" : "; " + problem.suggestion);
 }
 
-/// A report, of an archive one in it.
-std::optional<SearchReport> report_of(const ImportOptions& options) {
-  if (!options.report) return std::nullopt;
-  const ComponentAddress address = split_address(options.report->string());
-  RecordStore store;
-  const RecordStore::Found found = store.find(address.file, address.component);
-  return read_search_report({found.path, *found.bytes});
-}
+/// The report that was given, of an archive one in it.
+struct GivenReport {
+  explicit GivenReport(const fs::path& given) {
+    const ComponentAddress address = split_address(given.string());
+    RecordStore store;
+    const RecordStore::Found found = store.find(address.file, address.component);
+    content = read_search_report({found.path, record_text(found.path, *found.bytes).text});
+    file = address.file;
+    member = address.component;
+  }
+  bool is(const FileToRead& read) const {
+    std::error_code error;
+    const bool is_same =
+        read.member == member && (read.file == file || fs::equivalent(read.file, file, error));
+    if (error && error.value() != ENOTSUP && error.value() != ENOSYS)  // of two pipes
+      throw_read_error(read.file, "cannot be looked up", error.value());
+    return is_same;
+  }
 
-bool is_same_file(const fs::path& one, const std::optional<fs::path>& other) {
-  std::error_code ignored;
-  return other && (one == *other || fs::equivalent(one, *other, ignored));
-}
+  SearchReport content;
+  fs::path file;
+  std::string member;
+};
 
 /// The file itself, or each file in an archive.
 template <class Take>
@@ -54,6 +67,8 @@ void for_each_member(const fs::path& file, std::vector<LeftOut>& left_out, Take 
                                take(FileToRead{file, member.name, member.bytes});
                              }),
                       std::back_inserter(left_out));
+  } catch (const IoError&) {  // says nothing of what it holds
+    throw;
   } catch (const InputError& error) {
     left_out.push_back({file.string(), reason_of(error)});
   }
@@ -79,8 +94,12 @@ StationMetadata stations_of(const std::vector<fs::path>& files) {
 /// The components of files, or the reasons why they have none.
 class ComponentReader {
  public:
-  ComponentReader(const ImportOptions& options, SuiteImport& found)
-      : options_(options), found_(found), files_(found_files(options.inputs, found.left_out)) {}
+  ComponentReader(const ImportOptions& options, const std::optional<GivenReport>& report,
+                  SuiteImport& found)
+      : options_(options),
+        report_(report),
+        found_(found),
+        files_(found_files(options.inputs, found.left_out)) {}
 
   void add_all() {
     for (const fs::path& file : files_) {
@@ -94,7 +113,7 @@ class ComponentReader {
 
  private:
   void add(const FileToRead& file) {
-    if (is_same_file(file.shown(), options_.report)) return;
+    if (report_ && report_->is(file)) return;
     try {
       constexpr std::size_t looked_at = 1000;
       const RecordText beginning{file.shown(), std::string_view(file.bytes).substr(0, looked_at)};
@@ -103,14 +122,18 @@ class ComponentReader {
         stations_ = stations_of(files_);
         options_.missing.stations = &*stations_;
       }
-      for (FoundComponent& component : read_components(file, options_.missing))
+      for (FoundComponent& component : read_components(file, options_.missing)) {
+        if (options_.directions_from_names && !component.suggested_direction.empty())
+          component.header.direction = component.suggested_direction;
         found_.components.push_back(std::move(component));
+      }
     } catch (const InputError& error) {
       found_.left_out.push_back({file.shown(), reason_of(error)});
     }
   }
 
   ImportOptions options_;
+  const std::optional<GivenReport>& report_;
   SuiteImport& found_;
   std::vector<fs::path> files_;
   std::optional<StationMetadata> stations_;
@@ -133,9 +156,9 @@ ComponentEntry entry_of(const FoundComponent& component, const fs::path& folder)
 }  // namespace
 
 bool is_suite_file(const fs::path& path) {
-  std::error_code ignored;
-  if (fs::is_directory(path, ignored)) return false;
-  if (path.extension() == ".toml" || !fs::exists(path, ignored)) return true;
+  const fs::file_status status = status_of(path);
+  if (fs::is_directory(status)) return false;
+  if (path.extension() == ".toml" || !fs::exists(status)) return true;
   const std::string text = read_text_file(path);
   for (LineReader lines(text); lines.next();)
     if (trimmed(lines.line()).starts_with("[suite]")) return true;
@@ -143,11 +166,12 @@ bool is_suite_file(const fs::path& path) {
 }
 
 SuiteImport import_suite(const ImportOptions& options) {
-  const std::optional<SearchReport> report = report_of(options);
+  std::optional<GivenReport> report;
+  if (options.report) report.emplace(*options.report);
   SuiteImport found;
-  ComponentReader(options, found).add_all();
-  if (report) found.warnings = report->warnings;
-  pair_components(found, report ? &*report : nullptr, options);
+  ComponentReader(options, report, found).add_all();
+  if (report) found.warnings = report->content.warnings;
+  pair_components(found, report ? &report->content : nullptr, options);
   return found;
 }
 
@@ -156,6 +180,7 @@ std::string imported_suite_toml(const SuiteImport& found, const ImportedSuiteHea
   std::string text;
   for (const std::string& comment : head.comments) text += "# " + printable_name(comment) + "\n";
   text += fmt::format("\n[suite]\nname = {}\n", quoted(head.name));
+  if (head.of_roof) text += "motions = \"roof\"\n";
   if (head.units) text += fmt::format("units = {}\n", quoted(to_string(*head.units)));
   constexpr const char* keys[] = {"first", "second", "vertical"};
   for (const ImportedRecord& record : found.records) {

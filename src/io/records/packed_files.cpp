@@ -101,35 +101,67 @@ std::string data_of(const fs::path& file, archive* a, std::size_t room) {
 
 }  // namespace
 
-std::vector<LeftOut> unpack(const fs::path& file, std::string_view bytes,
-                            const std::function<void(PackedFile)>& take) {
-  const OpenArchive a = open(file, bytes);
-  std::vector<LeftOut> left_out;
-  std::set<std::string> names;
-  std::size_t room = most_bytes_in_all, count = 0;
-  for (;;) {
-    archive_entry* entry = nullptr;
-    const int result = archive_read_next_header(a.get(), &entry);
-    if (result == ARCHIVE_EOF) return left_out;
-    if (result != ARCHIVE_OK && result != ARCHIVE_WARN) refuse_damaged(file, a.get());
-    if (++count > most_files)
-      refuse(file, fmt::format("holds more than {} files", most_files),
-             "unpack it and name the folder with the records");
-    const char* stated = archive_entry_pathname(entry);
-    std::string name = stated == nullptr ? "" : stated;
-    if (archive_format(a.get()) == ARCHIVE_FORMAT_RAW) name = file.stem().string();
-    if (archive_entry_filetype(entry) == AE_IFDIR || is_hidden(name)) continue;
-    const std::string shown = file.string() + "#" + printable_name(name);
-    if (const std::string reason = reason_against(entry, name); !reason.empty()) {
-      left_out.push_back({shown, reason});
-    } else if (!names.insert(name).second) {
-      left_out.push_back({shown, "a second file of this name in the archive"});
-    } else {
-      PackedFile packed{name, data_of(file, a.get(), room)};
-      room -= packed.bytes.size();
-      take(std::move(packed));
+namespace {
+
+/// What is in an archive, and in archives in it.
+class Unpacker {
+ public:
+  Unpacker(const fs::path& file, const std::function<void(PackedFile)>& take)
+      : file_(file), take_(take) {}
+
+  /// @param above names of the archive's files begin with it: "" or "a.zip/"
+  void add(std::string_view bytes, const std::string& above) {
+    const fs::path shown = above.empty() ? file_ : fs::path(file_.string() + "#" + above);
+    const OpenArchive a = open(shown, bytes);
+    for (archive_entry* entry = nullptr;;) {
+      const int result = archive_read_next_header(a.get(), &entry);
+      if (result == ARCHIVE_EOF) return;
+      if (result != ARCHIVE_OK && result != ARCHIVE_WARN) refuse_damaged(shown, a.get());
+      if (++count_ > most_files)
+        refuse(file_, fmt::format("holds more than {} files", most_files),
+               "unpack it and name the folder with the records");
+      const char* stated = archive_entry_pathname(entry);
+      std::string name = stated == nullptr ? "" : stated;
+      if (archive_format(a.get()) == ARCHIVE_FORMAT_RAW)
+        name = (above.empty() ? file_ : fs::path(above).parent_path()).stem().string();
+      if (archive_entry_filetype(entry) == AE_IFDIR || is_hidden(name)) continue;
+      const std::string reason = reason_against(entry, name);
+      if (reason.empty())
+        take(above + name, data_of(shown, a.get(), room_), above.empty());
+      else
+        leave_out(above + printable_name(name), reason);
     }
   }
+  std::vector<LeftOut> left_out() { return std::move(left_out_); }
+
+ private:
+  void take(const std::string& name, std::string bytes, bool may_be_archive) {
+    room_ -= bytes.size();
+    if (is_archive(bytes) && may_be_archive) return add(bytes, name + "/");
+    if (is_archive(bytes))
+      return leave_out(name, "is an archive in an archive of archives: unpack it");
+    if (!names_.insert(name).second)
+      return leave_out(name, "a second file of this name in the archive");
+    take_({name, std::move(bytes)});
+  }
+  void leave_out(const std::string& name, const std::string& reason) {
+    left_out_.push_back({file_.string() + "#" + name, reason});
+  }
+
+  fs::path file_;
+  const std::function<void(PackedFile)>& take_;
+  std::vector<LeftOut> left_out_;
+  std::set<std::string> names_;
+  std::size_t room_ = most_bytes_in_all, count_ = 0;
+};
+
+}  // namespace
+
+std::vector<LeftOut> unpack(const fs::path& file, std::string_view bytes,
+                            const std::function<void(PackedFile)>& take) {
+  Unpacker unpacker(file, take);
+  unpacker.add(bytes, "");
+  return unpacker.left_out();
 }
 
 #else
@@ -156,10 +188,7 @@ RecordStore::Found RecordStore::find(const fs::path& file, const std::string& in
   }
   if (!is_packed_) return {file, &bytes_, inside};
   const auto found_as = [&](const PackedFile& packed, const std::string& component) -> Found {
-    const fs::path shown = file.string() + "#" + packed.name;
-    if (is_archive(packed.bytes))
-      throw InputError({shown.string(), "is an archive in an archive", "unpack it", ""});
-    return {shown, &packed.bytes, component};
+    return {file.string() + "#" + packed.name, &packed.bytes, component};
   };
   for (std::size_t end = inside.size(); end != std::string::npos && !inside.empty();
        end = end == 0 ? std::string::npos : inside.rfind('#', end - 1)) {

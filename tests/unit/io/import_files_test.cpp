@@ -111,18 +111,22 @@ TEST_F(SuiteImporter, records_in_an_archive_are_imported_and_read_without_being_
        "Acc. Filename,Horizontal-2 Acc. Filename,Vertical Acc. Filename\n"
        "7,Somewhere,1999,Place,6.5,12,RSN7_SOME_PLC000.AT2,RSN7_SOME_PLC090.AT2,"
        "RSN7_SOME_PLC-UP.AT2\n"},
-      {"nested.tar", tar_of({{"a", "b"}})}};
+      {"nested.tar", tar_of({{"a", "b"}, {"b.tar", tar_of({{"c", "d"}})}})}};
   write("all.tar", tar_of(files));
   ImportOptions options;
   SuiteImport found = import(options);
   if (reasons(found).find("libarchive") != std::string::npos) GTEST_SKIP() << reasons(found);
   EXPECT_THAT(reasons(found), test::states("all.tar#report.csv: is a report of a search; give it "
                                            "with --report",
-                                           "all.tar#nested.tar: is an archive in an archive"));
+                                           "all.tar#nested.tar/a: ",
+                                           "all.tar#nested.tar/b.tar: is an archive in an archive "
+                                           "of archives: unpack it"));
   options.report = folder_.path() / "records/all.tar#report.csv";
   found = import(options);
   ASSERT_EQ(found.records.size(), 1u) << reasons(found);
   EXPECT_EQ(found.records[0].magnitude, 6.5);
+  EXPECT_THAT(found.records[0].warnings, testing::IsEmpty());
+  EXPECT_THAT(reasons(found), testing::Not(HasSubstr("report")));
   EXPECT_EQ(files_of(found, found.records[0]),
             "RSN7_SOME_PLC000.AT2, RSN7_SOME_PLC090.AT2, RSN7_SOME_PLC-UP.AT2");
   const std::string suite = imported_suite_toml(found, {"s", {}, {}}, folder_.path());
@@ -139,6 +143,17 @@ TEST_F(SuiteImporter, records_in_an_archive_are_imported_and_read_without_being_
   write("all.tar", tar_of(changed));
   EXPECT_THAT(message_of([&] { load(found); }),
               test::states("RSN7_SOME_PLC090.AT2", "is not the file"));
+}
+
+TEST_F(SuiteImporter, records_of_an_archive_in_an_archive_are_read_where_they_lie) {
+  write("all.tar", tar_of({{"quake.tar", tar_of({{"RSN7_SOME_PLC000.AT2", at2("A, 1/2/1999, P, 0", 1)},
+                                                 {"RSN7_SOME_PLC090.AT2", at2("A, 1/2/1999, P, 90", 2)}})}}));
+  const SuiteImport found = import();
+  if (reasons(found).find("libarchive") != std::string::npos) GTEST_SKIP() << reasons(found);
+  ASSERT_EQ(found.records.size(), 1u) << reasons(found);
+  EXPECT_THAT(imported_suite_toml(found, {"s", {}, {}}, folder_.path()),
+              HasSubstr("records/all.tar#quake.tar/RSN7_SOME_PLC090.AT2"));
+  EXPECT_EQ(load(found).motions.at(0).horizontal_mps2[1].size(), 200u);
 }
 
 TEST_F(SuiteImporter, texts_of_headers_and_names_stay_texts) {

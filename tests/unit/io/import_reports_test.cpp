@@ -65,6 +65,39 @@ TEST_F(SuiteImporter, a_report_that_does_not_state_unscaled_files_is_warned_of) 
   EXPECT_THAT(import_with_report(report).warnings, ElementsAre(HasSubstr("factors")));
 }
 
+std::string replaced_all(std::string text, const std::string& from, const std::string& to) {
+  for (std::size_t at = 0; (at = text.find(from, at)) != std::string::npos; at += to.size())
+    text.replace(at, from.size(), to);
+  return text;
+}
+
+/// As a spreadsheet writes it again: quotes in names, cells in every line of text; or semicolons
+/// and decimal commas.
+std::vector<std::string> saved_again(const std::string& report) {
+  const std::string footer = "\n These records are UNSCALED, AS RECORDED";
+  const std::string quoted = replaced_all(
+      replaced_all(report, " \"Friuli_ Italy-01\"", "\" \"\"Friuli_ Italy-01\"\"\""), footer,
+      std::string(15, ',') + footer + std::string(15, ','));
+  std::string semicolons = replaced_all(replaced_all(report, "\"Place, at Town\"", "Place"), ", ", ";");
+  for (const char* number : {"6.5", "15.82", "1.7"})
+    semicolons = replaced_all(semicolons, number, replaced_all(number, ".", ","));
+  return {quoted, semicolons};
+}
+
+TEST_F(SuiteImporter, a_report_that_a_spreadsheet_saved_again_is_read_as_before) {
+  write_triple();
+  for (const std::string& report : saved_again(peer_report)) {
+    const SuiteImport found = import_with_report(report);
+    ASSERT_EQ(found.records.size(), 1u) << report << reasons(found);
+    EXPECT_EQ(found.records[0].event, "Friuli, Italy-01 1976");
+    EXPECT_EQ(found.records[0].magnitude, 6.5);
+    EXPECT_EQ(found.records[0].distance_km, 15.82);
+    EXPECT_EQ(found.records[0].scale, 1.7);
+    EXPECT_THAT(reasons(found), testing::Not(HasSubstr("UNSCALED")));
+    EXPECT_THAT(reasons(found), testing::Not(HasSubstr("RSN of the report")));
+  }
+}
+
 TEST_F(SuiteImporter, a_flatfile_of_esm_is_joined_by_event_and_station) {
   const auto esm = [](const char* stream, double seed) {
     return fmt::format(

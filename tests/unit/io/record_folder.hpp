@@ -45,6 +45,26 @@ inline std::string column(double seed, std::size_t count = 200, double dt_s = 0.
   return fmt::format("# units: g\n# DT = {}\n", dt_s) + lines_of_samples(motion_g(seed, count));
 }
 
+/// A file of CSMIP or CESMD with one channel.
+inline std::string csmip_v2(const std::string& channel, double seed, std::size_t count = 200) {
+  std::string text = fmt::format(
+      "Corrected accelerogram\nUncorrected Accelerogram Data\nRecord of Jan 1, 2020\n"
+      "Station No. 00001   30.000N, 100.000W\nSome Hall\n{}\n"
+      "{:5} points of accel data equally spaced at  .010 sec, in cm/sec2. (8f10.3)\n",
+      channel, count);
+  const std::vector<double> a = motion_g(seed, count);
+  for (std::size_t i = 0; i < count; ++i)
+    text += fmt::format("{:10.3f}{}", 980.665 * a[i], i % 8 == 7 || i + 1 == count ? "\n" : "");
+  return text;
+}
+
+/// Options that take directions from names.
+inline ImportOptions by_names() {
+  ImportOptions options;
+  options.directions_from_names = true;
+  return options;
+}
+
 /// Why files are left out, a line each.
 inline std::string reasons(const SuiteImport& found) {
   std::string text;

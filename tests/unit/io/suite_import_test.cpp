@@ -50,8 +50,15 @@ TEST_F(SuiteImporter, names_pair_files_without_headers) {
   write("c/REC_H1.txt", column(10));
   write("c/3_BOLU000.txt", column(11));
   write("c/3_BOLU090.txt", column(12));
-  const SuiteImport found = import();
+  const SuiteImport stated = import();
+  EXPECT_THAT(stated.records, IsEmpty());
+  EXPECT_EQ(stated.left_out.size(), 14u);
+  EXPECT_THAT(reasons(stated), test::states("BOL-090: nothing states which component it is",
+                                            "its name suggests 090: --directions-from-names"));
+  const SuiteImport found = import(by_names());
   EXPECT_THAT(found.left_out, IsEmpty()) << reasons(found);
+  for (const ImportedRecord& record : found.records)
+    EXPECT_THAT(record.warnings, testing::Contains(HasSubstr("only the names of its files suggest")));
   std::vector<std::string> files;
   for (const ImportedRecord& record : found.records) files.push_back(files_of(found, record));
   EXPECT_THAT(files, ElementsAre("19760506_TLM1_NS.acc, 19760506_TLM1_WE.acc, 19760506_TLM1_UD.acc",
@@ -62,6 +69,55 @@ TEST_F(SuiteImporter, names_pair_files_without_headers) {
                                  "NET.STA.HNN.20200101.txt, NET.STA.HNE.20200101.txt, "
                                  "NET.STA.HNZ.20200101.txt",
                                  "REC_H1.txt, REC_H2.txt, -"));
+}
+
+// The number of an earthquake, of a record, a date: none is an azimuth.
+TEST_F(SuiteImporter, digits_of_a_name_are_no_azimuth) {
+  for (const char* name : {"eq2019.txt", "eq2109.txt", "GM001.txt", "GM091.txt"})
+    write(name, column(name[4] + name[5]));
+  write("place1002271.v1",
+        changed(read_text_file(fs::path(GLISSADE_SOURCE_DIR) / "tests/fuzz/corpus/record/usc.dat"),
+                "COMP   N00E", "COMP   EZ  "));
+  const SuiteImport found = import();
+  EXPECT_THAT(found.records, IsEmpty());
+  EXPECT_THAT(reasons(found), test::states("eq2019.txt: nothing states which component it is; write",
+                                           "GM091.txt: nothing states which component it is; its "
+                                           "name suggests 091",
+                                           "\"EZ\" is no direction"));
+  for (const ImportedRecord& record : import(by_names()).records) {
+    EXPECT_EQ(record.id, "GM");
+    EXPECT_THAT(record.warnings, ElementsAre(HasSubstr("suggest: 001, 091")));
+  }
+}
+
+// "IMPVALL_H-E12140" is station E12 at 140 degrees.
+TEST_F(SuiteImporter, names_of_peer_state_the_direction_of_its_files) {
+  for (const char* direction : {"140", "230", "UP"})
+    write(fmt::format("RSN175_IMPVALL.H_H-E12{}.AT2", direction),
+          at2("Some text", direction[0] + direction[1]));
+  write("H-E13140.AT2", at2("Some text", 3));
+  const SuiteImport found = import();
+  ASSERT_EQ(found.records.size(), 1u) << reasons(found);
+  EXPECT_EQ(found.records[0].id, "RSN175_IMPVALL.H_H-E12");
+  EXPECT_EQ(files_of(found, found.records[0]),
+            "RSN175_IMPVALL.H_H-E12140.AT2, RSN175_IMPVALL.H_H-E12230.AT2, "
+            "RSN175_IMPVALL.H_H-E12UP.AT2");
+  EXPECT_THAT(found.records[0].warnings, IsEmpty());
+  EXPECT_THAT(reasons(found), HasSubstr("H-E13140.AT2: nothing states"));
+}
+
+TEST_F(SuiteImporter, a_vertical_stays_with_its_horizontals_beside_another_of_their_direction) {
+  for (const char* name : {"000", "000b", "090", "UP"})
+    write(fmt::format("RSN900_TEST_STA{}.AT2", name),
+          at2(fmt::format("TESTQUAKE, 1/2/2003, Some Station, {}", std::string(name).substr(0, 3)),
+              name[0] + name[1] + std::string(name).size()));
+  const SuiteImport found = import();
+  ASSERT_EQ(found.records.size(), 1u) << reasons(found);
+  EXPECT_EQ(files_of(found, found.records[0]),
+            "RSN900_TEST_STA000.AT2, RSN900_TEST_STA090.AT2, RSN900_TEST_STAUP.AT2");
+  ASSERT_EQ(found.left_out.size(), 1u);
+  EXPECT_THAT(reasons(found), test::states("STA000b.AT2: one horizontal component only",
+                                           "--keep-single"));
 }
 
 TEST_F(SuiteImporter, columns_of_one_table_are_addressed_by_their_names) {
@@ -137,12 +193,13 @@ TEST_F(SuiteImporter, what_is_no_record_is_left_out_and_never_guessed) {
   for (const int azimuth : {10, 100, 190})
     write(fmt::format("F{:03}.AT2", azimuth),
           at2(fmt::format("Elsewhere, 1/2/1999, Place, {}", azimuth), azimuth));
-  SuiteImport found = import();
+  SuiteImport found = import(by_names());
   EXPECT_THAT(found.records, IsEmpty());
+  EXPECT_EQ(found.left_out.size(), 8u);  // each file by its own reason
   EXPECT_THAT(reasons(found), test::states("A-000: one horizontal component only", "--keep-single",
-                                           "111 and 112 degrees", "which component C.txt is",
+                                           "111 and 112 degrees", "C.txt: nothing states which",
                                            "D-UP: no horizontal", "3 horizontal and 0 vertical"));
-  ImportOptions options;
+  ImportOptions options = by_names();
   options.keep_single = true;
   found = import(options);
   EXPECT_EQ(files_of(found, found.records.at(0)), "A-000, -, -");
@@ -153,14 +210,15 @@ TEST_F(SuiteImporter, other_lengths_and_steps_are_named_and_changed_only_if_aske
   write("A-090", column(2, 500));  // 5 s
   write("B-000", column(3, 200, 0.01));
   write("B-090", column(4, 250, 0.008));
-  SuiteImport found = import();
+  SuiteImport found = import(by_names());
   ASSERT_EQ(found.records.size(), 1u);
   EXPECT_THAT(found.records[0].warnings,
-              ElementsAre(test::states("A-000 ends at 2 s", "A-090 at 5 s", "--trim")));
+              ElementsAre(test::states("A-000 ends at 2 s", "A-090 at 5 s", "--trim"),
+                          HasSubstr("suggest: 000, 090")));
   EXPECT_THAT(reasons(found), test::states("B-000, B-090", "0.008 and 0.01 s", "--resample"));
   EXPECT_EQ(load(found).motions[0].horizontal_mps2[0].size(), 500u);
 
-  ImportOptions options;
+  ImportOptions options = by_names();
   options.trim = options.resample = true;
   found = import(options);
   const Suite suite = load(found);
@@ -183,9 +241,10 @@ TEST_F(SuiteImporter, clipped_flat_and_spiky_components_are_named_here_and_in_th
   write("A-000", with(clipped));
   write("A-090", with(spiky));
   write("A-UP", with(dead));
-  const SuiteImport found = import();
+  const SuiteImport found = import(by_names());
   ASSERT_EQ(found.records.size(), 1u) << reasons(found);
-  const auto named = ElementsAre(test::states("A-000", "clipped?", "0.15 g"),
+  const auto named = ElementsAre(HasSubstr("suggest: 000, 090"),
+                                 test::states("A-000", "clipped?", "0.15 g"),
                                  test::states("A-090", "spike?", "sample 78", "4 g"));
   EXPECT_THAT(found.records[0].warnings, named);
   EXPECT_THAT(reasons(found), test::states("A-UP: all 200 samples are 0.25 g"));
@@ -198,7 +257,7 @@ TEST_F(SuiteImporter, ids_are_unique) {
   for (const char* folder : {"a", "b"})
     for (const char* direction : {"000", "090"})
       write(fmt::format("{}/X-{}", folder, direction), column(folder[0] + direction[1]));
-  const SuiteImport found = import();
+  const SuiteImport found = import(by_names());
   ASSERT_EQ(found.records.size(), 2u) << reasons(found);
   EXPECT_EQ(found.records[0].id, "X");
   EXPECT_EQ(found.records[1].id, "X_2");
