@@ -362,7 +362,8 @@ const std::vector<Walked> commands = {
      }},
     {"friction", "friction IN/pulls.csv --out OUT", write_pull_tests, true,
      "friction IN/pulls.csv --out OUT --overwrite"},
-    one_file("import", "suite import IN --out OUT/suite.toml", write_records),
+    one_file("import", "suite import IN --directions-from-names --out OUT/suite.toml",
+             write_records),
     one_file("select",
              "suite select " + suite_2 + a_site + " --count 3 --max-scale 50 --out OUT/suite.toml",
              nullptr),
@@ -391,6 +392,33 @@ TEST_P(FaultWalk, is_whole_or_reports_it_where_memory_ends_at_any_allocation) {
   ASSERT_NO_FATAL_FAILURE(begin());
   const std::string program = "LD_PRELOAD=" GLISSADE_MEMORY_FAULTS_LIBRARY;
   walk("malloc", {ENOMEM}, count(program).at("malloc"), program);
+}
+
+/// Commands and what they read, below IN: a new one joins by a line.
+const std::vector<Walked> readers = {
+    one_file("import", "suite import IN --directions-from-names --out OUT/suite.toml",
+             write_records),
+    {"show", "suite show IN", write_records, true},
+    one_file("init", "init OUT/study.toml --suite IN/suite.toml --mu 0.5 --mu-std 0.04",
+             [](const fs::path& in, const fs::path&) {
+               write(in / "suite.toml", read_file(suite_2));
+             }),
+    {"check", "check IN/study.toml", with("study.toml", short_study), true}};
+
+class FaultyInput : public FaultWalk {};
+INSTANTIATE_TEST_SUITE_P(, FaultyInput, testing::ValuesIn(readers),
+                         [](const auto& of) { return of.param.name; });
+
+// Not that it is not there, or a file of another kind: each call of each function.
+TEST_P(FaultyInput, is_reported_where_the_system_does_not_read_it) {
+  ASSERT_NO_FATAL_FAILURE(begin());
+  const std::string program = "FAULT_IN=" + in_quotes(in_) + " " GLISSADE_INJECT;
+  const std::map<std::string, long> calls = count(program);
+  for (const Function& function : functions)
+    for (const char* reads : {"open", "read", "list", "stat", "readlink"})
+      if (function.name == std::string(reads) && calls.contains(reads))
+        for (long at = 1; at <= calls.at(reads); ++at)
+          fail(reads, program, function.errors[at % function.errors.size()], true, at);
 }
 
 class LostWrites : public FaultWalk {};

@@ -186,10 +186,11 @@ std::string reason_against(const ComponentPiece& piece, const Pieces& pieces,
         "one of {} horizontal and {} vertical components of one station and event ({}): which "
         "belong together is not stated{}",
         across, pieces.size() - across, listed(pieces), way_on);
-  if (across == 0) return "no horizontal component is of its station, event and name";
+  const char* its = piece.found->header.location.empty() ? "station, event and name"
+                                                         : "station, event and location";
+  if (across == 0) return fmt::format("no horizontal component is of its {}", its);
   if (across == 1 && !options.keep_single)
-    return fmt::format("one horizontal component only is of its station, event and name: "
-                       "--keep-single takes it{}",
+    return fmt::format("one horizontal component only is of its {}: --keep-single takes it{}", its,
                        options.roof ? "; or name channels of several locations: --roof 1,2" : "");
   if (across == 2 && !are_perpendicular(pieces[0], pieces[1]))
     return fmt::format("horizontals of {:g} and {:g} degrees, which are not perpendicular{}",

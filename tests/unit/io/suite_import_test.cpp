@@ -107,10 +107,10 @@ TEST_F(SuiteImporter, names_of_peer_state_the_direction_of_its_files) {
 }
 
 TEST_F(SuiteImporter, a_vertical_stays_with_its_horizontals_beside_another_of_their_direction) {
-  for (const char* name : {"000", "000b", "090", "UP"})
+  int seed = 0;
+  for (const std::string name : {"000", "000b", "090", "UP"})
     write(fmt::format("RSN900_TEST_STA{}.AT2", name),
-          at2(fmt::format("TESTQUAKE, 1/2/2003, Some Station, {}", std::string(name).substr(0, 3)),
-              name[0] + name[1] + std::string(name).size()));
+          at2("TESTQUAKE, 1/2/2003, Some Station, " + name.substr(0, 3), ++seed));
   const SuiteImport found = import();
   ASSERT_EQ(found.records.size(), 1u) << reasons(found);
   EXPECT_EQ(files_of(found, found.records[0]),
