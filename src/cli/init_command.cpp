@@ -183,7 +183,10 @@ void init(InitOptions o) {
                        : "intensity.target: none, and the suite has none; give --ss-g and its site",
                 terminal_width, 4));
   if (o.is_project())
-    put("Not stated, comments in the file: building.storeys, array, clearances, hazard\n");
+    put("Not stated: {}\n",
+        wrapped("building.storeys, building.diaphragm, site.fault_distance_km, "
+                "friction.laboratory, tested_on and surface, array, clearances, hazard",
+                terminal_width, 2));
   put("Next    glissade check {}\n", o.file);
 }
 

@@ -9,6 +9,7 @@
 
 #include "checks.hpp"
 #include "glissade/core/units.hpp"
+#include "glissade/design/premises.hpp"
 #include "glissade/fragility/hazard.hpp"
 #include "glissade/motion/improbable.hpp"
 #include "glissade/study/plan/one_mass.hpp"
@@ -20,10 +21,9 @@ constexpr double most_rounding_m = foot_m;
 
 /// Outside of what buildings have. All limits are recalled.
 std::vector<std::string> improbable_values(const ProjectBuilding& building, UnitSystem units) {
-  constexpr double most_storeys = 163.0;                        // Burj Khalifa
-  constexpr double least_storey_m = 2.2, most_storey_m = 8.0;   // height of a storey
-  constexpr double most_single_storey_m = 30.0;                 // a hall
-  constexpr double least_period_s = 0.02, most_period_s = 0.5;  // for each storey
+  constexpr double most_storeys = 163.0;                       // Burj Khalifa
+  constexpr double least_storey_m = 2.2, most_storey_m = 8.0;  // height of a storey
+  constexpr double most_single_storey_m = 30.0;                // a hall
   std::vector<std::string> texts;
   const double ta_s = building.approximate_period_s.value_or(building.period_s.front());
   if (ta_s < building.period_s.front() || ta_s > building.period_s.back())
@@ -38,14 +38,6 @@ std::vector<std::string> improbable_values(const ProjectBuilding& building, Unit
     texts.push_back(fmt::format("{:g} storeys in a height of {}: {} for each is improbable",
                                 storeys, both_units(*building.height_m, units),
                                 both_units(storey_m, units)));
-  const auto add_period = [&](double period_s, bool is_improbable) {
-    if (is_improbable)
-      texts.push_back(fmt::format("a building period of {:.3g} s is improbable with {:g} storeys",
-                                  period_s, storeys));
-  };
-  const double shortest_s = building.period_s.front(), longest_s = building.period_s.back();
-  add_period(shortest_s, shortest_s > most_period_s * storeys);
-  add_period(longest_s, longest_s < least_period_s * storeys);
   return texts;
 }
 
@@ -69,26 +61,6 @@ std::vector<std::string> choices_of(const ProjectFriction& friction) {
   return texts;
 }
 
-/// What is said of a spectrum by points that nothing stands beside; else empty.
-std::string unchecked_spectrum(const ProjectSite& site) {
-  if (site.target.period_s.empty() || site.mapped) return "";
-  return site.target.edition == AsceEdition::asce7_22
-             ? "the spectrum is taken for the multi-period one of ASCE 7-22, 11.4.5.1; whether one "
-               "of a site-specific analysis is 80 % of that or more (21.3) is "
-               "not checked"
-             : "whether the site-specific spectrum is 80 % of that of the site class or more "
-               "(ASCE 7-16, 21.3) is not checked: give site.ss_g, s1_g and "
-               "site_class beside the spectrum";
-}
-
-/// Of a value whose conditions are not all met.
-std::string conditions_text(const PrescribedValue& value) {
-  return fmt::format(
-      "conditions of the standard are not met or not stated ({}): an unanchored array "
-      "then requires the approval of the authority",
-      value.not_met());
-}
-
 std::string improbable_hazard(const Project& project) {
   const double sms_g = site_values(project.site).sms_g();
   const double rate = HazardCurve(project.hazard->points).annual_rate(sms_g);
@@ -107,35 +79,20 @@ std::string both_units(double length_m, UnitSystem units) {
 
 std::vector<DesignWarning> warnings_on(const Project& project) {
   std::vector<DesignWarning> warnings;
-  const auto add = [&](bool met, const std::string& text, bool is_open_item = false) {
-    if (met) warnings.push_back({text, is_open_item});
+  for (const Premise& premise : premises_of(project))
+    if (!premise.found.is_met) warnings.push_back({not_met_text(premise), true});
+  const auto add = [&](bool met, const std::string& text) {
+    if (met) warnings.push_back({text});
   };
   const auto add_all = [&](const std::vector<std::string>& texts) {
     for (const std::string& text : texts) warnings.push_back({text});
   };
-  const bool site_7_16 = project.site.target.edition == AsceEdition::asce7_16;
-  const bool by_7_16 = project.standard == Standard::asce7_16;
-  add(project.simulated_motions, simulated_motions_warning, true);
   add(project.peer_reviewed,
       "standards.peer_reviewed = true: the least value of the standard is not applied");
-  add(site_7_16 != by_7_16,
-      "the standard that is applied is not that of the site's edition of ASCE 7: its least value "
-      "differs");
-  add(project.importance < importance_factor(project.site.risk),
-      fmt::format("the importance factor {:g} is below that of risk category {}",
-                  project.importance, to_string(project.site.risk)));
-  const auto prescribed = prescribed_values(project, site_values(project.site));
-  const auto standard = std::ranges::find(prescribed, project.standard, &PrescribedValue::standard);
-  add(!standard->may_be_used(), conditions_text(*standard), true);
-  add(site_7_16 && !project.site.target.is_mapped() && project.site.target.period_s.empty() &&
-          project.site.target.hazard_analysis.empty(),
-      "S_DS and S_D1 are stated without S_S, S_1 and site class: whether ASCE 7-16, 11.4.8 "
-      "requires a ground motion hazard analysis is not checked",
-      true);
-  const std::string unchecked = unchecked_spectrum(project.site);
-  add(!unchecked.empty(), unchecked, project.site.target.edition != AsceEdition::asce7_22);
-  const std::string analysis = hazard_analysis_required(project.site.target);
-  add(!analysis.empty() && project.site.target.hazard_analysis.empty(), analysis, true);
+  const DesignTarget& target = project.site.target;
+  add(!target.period_s.empty() && !project.site.mapped && target.edition == AsceEdition::asce7_22,
+      "the spectrum is taken for the multi-period one of ASCE 7-22, 11.4.5.1; whether one of a "
+      "site-specific analysis is 80 % of that or more (21.3) is not checked");
   add(!project.of_roof && !project.site.states_tl && project.site.target.period_s.empty(),
       fmt::format("site.tl_s is not stated: T_L = {:g} s is assumed", project.site.target.tl_s));
   add(project.friction.mean < 2.0 * project.friction.std,
@@ -162,8 +119,6 @@ std::vector<DesignWarning> warnings_on(const Project& project) {
   add(project.friction.std == 0.0,
       "the friction has no scatter (std 0): its design value is the mean");
   add_found(improbable_friction("a mean friction", project.friction.mean));
-  const std::string unmarked = unmarked_numbers(project.unmarked_numbers);
-  add(!unmarked.empty(), unmarked, true);
   add_all(choices_of(project.friction));
   if (project.hazard) {
     add_found(improbable_hazard(project));
@@ -180,7 +135,9 @@ std::vector<DesignWarning> warnings_on(const Project& project, const Results& de
   const auto add = [&](std::string text) { warnings.push_back({std::move(text)}); };
   const std::vector<DesignWarning> of_project = warnings_on(project);
   for (const std::string& text : texts_of(demand.warnings))
-    if (std::ranges::find(of_project, text, &DesignWarning::text) == of_project.end()) add(text);
+    if (std::ranges::find(of_project, text, &DesignWarning::text) == of_project.end() &&
+        !is_of_premise(project, text))
+      add(text);
   std::ranges::copy(of_project, std::back_inserter(warnings));
   for (const DesignCheck& check : design.checks) {
     if (!check.is_met) warnings.push_back({not_met_text(check), true});

@@ -5,6 +5,8 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
+#include <sstream>
 
 #include "glissade/core/units.hpp"
 #include "glissade/motion/intensity.hpp"
@@ -34,12 +36,48 @@ constexpr RecordedRange horizontal_pga{"", "g", 0.001, most_probable_pga_g,
 /// suites/ is 3.4.
 constexpr double most_probable_pga_ratio = 4.0;
 
-/// ASCE 7-16, 11.4.8 (recalled): where the mapped values and the site coefficients are not enough.
-bool needs_hazard_analysis(const DesignTarget& target, SiteClass site) {
-  if (target.edition != AsceEdition::asce7_16) return false;
-  const bool is_e = site == SiteClass::e;
-  const bool is_d = site == SiteClass::d || site == SiteClass::unknown;
-  return (is_e && target.ss_g >= 1.0) || ((is_e || is_d) && target.s1_g >= 0.2);
+/// A paragraph of ASCE 7-16, 11.4.8 (recalled): sites where the mapped values and the site
+/// coefficients are not enough, and the exception that is of them.
+struct HazardAnalysisRule {
+  char site_class;
+  const char* mapped;
+  double least_g;
+  double DesignTarget::*value_g;
+  int exception;
+};
+constexpr std::array hazard_analysis_rules{
+    HazardAnalysisRule{'E', "S_S", 1.0, &DesignTarget::ss_g, 1},
+    HazardAnalysisRule{'D', "S_1", 0.2, &DesignTarget::s1_g, 2},
+    HazardAnalysisRule{'E', "S_1", 0.2, &DesignTarget::s1_g, 3}};
+
+/// Those that apply to a site of mapped values.
+std::vector<HazardAnalysisRule> rules_for(const DesignTarget& target) {
+  std::vector<HazardAnalysisRule> found;
+  if (target.edition != AsceEdition::asce7_16) return found;
+  for (const SiteClass site : target.site_classes)
+    for (const HazardAnalysisRule& rule : hazard_analysis_rules) {
+      const bool is_of_class = site == SiteClass::unknown
+                                   ? rule.site_class == 'D'
+                                   : to_string(site) == std::string(1, rule.site_class);
+      if (is_of_class && target.*rule.value_g >= rule.least_g) found.push_back(rule);
+    }
+  return found;
+}
+
+/// "exceptions 1 and 3 of 11.4.8": 1, 3; none of a statement in other words.
+std::vector<int> exceptions_in(const std::string& stated) {
+  std::istringstream words(stated);
+  std::vector<int> numbers;
+  std::string word;
+  words >> word;
+  if (!word.starts_with("exception")) return {};
+  while (words >> word && word != "of") {
+    if (word == "and") continue;
+    if (word.back() == ',') word.pop_back();
+    if (word.size() != 1 || word[0] < '1' || word[0] > '3') return {};
+    numbers.push_back(word[0] - '0');
+  }
+  return numbers;
 }
 
 }  // namespace
@@ -119,14 +157,44 @@ std::vector<std::string> notes_on(const Motion& motion) {
 }
 
 std::string hazard_analysis_required(const DesignTarget& target) {
-  for (const SiteClass site : target.site_classes) {
-    if (needs_hazard_analysis(target, site))
-      return fmt::format(
-          "ASCE 7-16, 11.4.8, requires a ground motion hazard analysis of the "
-          "site, or an exception, for site class {} with S_S {:g} g and S_1 {:g} g: state "
-          "hazard_analysis",
-          to_string(site), target.ss_g, target.s1_g);
+  const auto rules = rules_for(target);
+  if (rules.empty()) return "";
+  return fmt::format(
+      "ASCE 7-16, 11.4.8, requires a ground motion hazard analysis of the site, or an exception, "
+      "for site class {} with S_S {:g} g and S_1 {:g} g",
+      rules.front().site_class, target.ss_g, target.s1_g);
+}
+
+bool takes_exception_2(const DesignTarget& target) {
+  const auto is_2 = [](const HazardAnalysisRule& rule) { return rule.exception == 2; };
+  return std::ranges::any_of(rules_for(target), is_2) &&
+         std::ranges::count(exceptions_in(target.hazard_analysis), 2) > 0;
+}
+
+std::string unmet_hazard_analysis(const DesignTarget& target) {
+  const auto rules = rules_for(target);
+  const std::string& stated = target.hazard_analysis;
+  if (rules.empty()) return "";
+  if (stated.empty()) return "not stated";
+  if (stated.starts_with("report"))
+    return "\"" + stated +
+           "\", and the spectrum is not that of the report (spectrum, or sds_g and sd1_g)";
+  const std::vector<int> taken = exceptions_in(stated);
+  if (taken.empty()) return "\"" + stated + "\" names no exception by its number";
+  for (const HazardAnalysisRule& rule : rules) {
+    if (std::ranges::count(taken, rule.exception) > 0) continue;
+    const HazardAnalysisRule& other =
+        hazard_analysis_rules.at(static_cast<std::size_t>(taken.front() - 1));
+    return fmt::format(
+        "\"{}\", which is of site class {} with {} of {:g} g or more: the site is of class {} with "
+        "{} {:g} g, of exception {}",
+        stated, other.site_class, other.mapped, other.least_g, rule.site_class, rule.mapped,
+        target.*rule.value_g, rule.exception);
   }
+  if (std::ranges::any_of(taken, [](int exception) { return exception != 2; }))
+    return "\"" + stated +
+           "\": exceptions 1 and 3 require F_a of class C, or the equivalent lateral force "
+           "procedure, which this calculation does not have";
   return "";
 }
 
@@ -161,9 +229,8 @@ std::vector<std::string> improbable_values(const DesignTarget& target) {
     found.push_back(
         "site class B: F_a and F_v are those of a measured shear wave velocity; without one ASCE "
         "7-16, 11.4.3, requires 1.0, which is more");
-  if (std::string required = hazard_analysis_required(target);
-      !required.empty() && target.hazard_analysis.empty())
-    found.push_back(std::move(required));
+  if (const std::string unmet = unmet_hazard_analysis(target); !unmet.empty())
+    found.push_back(hazard_analysis_required(target) + "; hazard_analysis: " + unmet);
   return found;
 }
 

@@ -94,10 +94,7 @@ std::vector<Separation> separations_of(Standard standard, double displacement_m)
                               separation("to a roof edge with a qualifying parapet", 1.0),
                               separation("to a roof edge without a qualifying parapet", 2.0)};
   Separation& edge = all.back();
-  if (pv1) {
-    edge.basis = "some recall a factor of 1.5 in SEAOC PV1-2012: the larger is taken";
-    return all;
-  }
+  if (pv1) return all;
   edge.least_m = asce7_16_least_edge_m;
   edge.basis = "and 4 ft or more";
   if (edge.value_m < edge.least_m) {

@@ -26,7 +26,7 @@ struct ProductTarget {
 
 struct Product {
   std::filesystem::path file;
-  std::string source_text;                         ///< of the file, verbatim
+  std::string source_text;                         ///< of the file, without its comments
   std::string name, manufacturer, revision, date;  ///< empty: not stated
   SheetUnit unit = SheetUnit::inch;
   double round_up_m = 0.0;

@@ -26,6 +26,7 @@ struct ProjectSite {
   std::optional<DesignTarget> mapped;  ///< S_S, S_1 and site class beside a spectrum by points
   bool states_tl = true;               ///< or T_L is as usual
   RiskCategory risk = RiskCategory::ii;
+  std::optional<double> fault_distance_km;  ///< to the nearest active fault
 };
 
 struct ProjectBuilding {
@@ -43,6 +44,12 @@ struct ProjectBuilding {
   std::vector<double> mass_ratio;           ///< of the array to the building, increasing
   std::string mass_basis = "project file";  ///< or the weights that it is the ratio of
   double damping = 0.05;
+  std::string diaphragm;  ///< of the roof: "rigid", "semirigid", "flexible"; empty: not stated
+};
+
+/// Where the motions of a roof come from; empty: not stated.
+struct RoofMotions {
+  std::string report, author, date;
 };
 
 /// What conditions of the standards ask; none: not stated.
@@ -98,7 +105,7 @@ struct ProjectHazard {
 
 struct Project {
   std::filesystem::path file;
-  std::string source_text;  ///< of the file, verbatim
+  std::string source_text;  ///< of the file, without its comments
   TitleBlock title;
   UnitSystem units = UnitSystem::us_customary;
   ProjectSite site;
@@ -115,6 +122,7 @@ struct Project {
   bool of_roof = false;
   bool simulated_motions = false;  ///< the suite has no records
   double roof_factor = 1.0;        ///< on the motions of a roof, at the design earthquake
+  RoofMotions roof;
   ScalingRule scaling_rule = ScalingRule::walters_2012;
   bool without_target = false;  ///< also one that falls short at periods above 2 s
   std::uint64_t samples = 128, seed = 1;

@@ -44,8 +44,13 @@ std::vector<std::string> notes_on(const Motion& motion);
 /// S_S above most_probable_g, S_1 above S_S, and sites for which ASCE 7-16, 11.4.8 requires more
 /// than mapped values.
 std::vector<std::string> improbable_values(const DesignTarget& target);
-/// What ASCE 7-16, 11.4.8 requires of the site, empty: nothing.
+/// What ASCE 7-16, 11.4.8 requires of a site of mapped values, empty: nothing.
 std::string hazard_analysis_required(const DesignTarget& target);
+/// Why what the target states of it does not meet that: an exception of another site class, or in
+/// words only; empty: it does, or nothing is required.
+std::string unmet_hazard_analysis(const DesignTarget& target);
+/// Exception 2, a rule on C_s, is stated and of the site class.
+bool takes_exception_2(const DesignTarget& target);
 
 // One set of checks for studies and projects; "": nothing to say.
 /// @param periods_s increasing

@@ -23,6 +23,7 @@ struct SiteSheet {
   bool is_simulated = false;  ///< its motions
   std::string verdict;  ///< "sufficient", "not sufficient", "open", "not applicable", "not stated"
   Html page;
+  std::vector<std::string> user_texts;  ///< names and ids on it
 };
 SiteSheet site_sheet(const CalculationPackage& package, const std::string& folder);
 

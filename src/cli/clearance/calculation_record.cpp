@@ -7,6 +7,7 @@
 
 #include "glissade/core/error.hpp"
 #include "glissade/core/file.hpp"
+#include "glissade/design/premises.hpp"
 #include "run/run_record.hpp"
 #include "shared/put.hpp"
 
@@ -134,6 +135,12 @@ std::string numbers_json(const CalculationPackage& package) {
   for (const DesignCheck& check : design.checks)
     json["checks"].push_back(
         {{"check", check.what}, {"found", check.found}, {"is_met", check.is_met}});
+  for (const Premise& premise : premises_of(package.project))
+    json["premises"].push_back({{"premise", premise.what},
+                                {"key", premise.key},
+                                {"value", premise.found.text},
+                                {"required", premise.required},
+                                {"is_met", premise.found.is_met}});
   json["warnings"] = warnings_of(design);
   return json_text(json);
 }

@@ -10,6 +10,7 @@
 #include "glissade/core/file.hpp"
 #include "glissade/core/wrap.hpp"
 #include "glissade/design/design_clearance.hpp"
+#include "glissade/design/premises.hpp"
 #include "glissade/io/product_file.hpp"
 #include "glissade/io/project_file.hpp"
 #include "glissade/io/study_file.hpp"
@@ -147,7 +148,9 @@ void check_one(const Project& project) {
   std::vector<std::string> warnings = texts_of(warnings_on(project));
   for (const Plan* plan : {&demand, &probability}) {
     for (const std::string& warning : plan->warnings)
-      if (std::ranges::find(warnings, warning) == warnings.end()) warnings.push_back(warning);
+      if (std::ranges::find(warnings, warning) == warnings.end() &&
+          !is_of_premise(project, warning))
+        warnings.push_back(warning);
   }
   for (const DesignCheck& check : checks_before_analysis(project, suite.motions.size()))
     if (!check.is_met) warnings.push_back(not_met_text(check));

@@ -169,6 +169,7 @@ DesignTarget read_target(const TomlTable& table, std::optional<DesignTarget>* ma
   }
   if (has_both) {
     read_mapped(table, mapped->emplace(DesignTarget{.edition = target.edition}));
+    mapped->value().hazard_analysis = target.hazard_analysis;
     if (!table.has("site_class") && !table.has("site_classes")) table.report_missing("site_class");
   }
   return target;

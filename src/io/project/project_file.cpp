@@ -25,6 +25,8 @@
 #include "keys/target_table.hpp"
 #include "project/project_friction.hpp"
 #include "project/project_keys.hpp"
+#include "text/scan.hpp"
+#include "toml/source_text.hpp"
 #include "toml/toml_table.hpp"
 
 namespace glissade {
@@ -226,6 +228,14 @@ void read_model(const TomlTable& table, ProjectBuilding& building) {
                                                           : name);
 }
 
+/// As it is written; empty where absent or wrong.
+std::string diaphragm_of(const TomlTable& table) {
+  return table
+      .choice<std::string>(
+          "diaphragm", {{"rigid", "rigid"}, {"semirigid", "semirigid"}, {"flexible", "flexible"}})
+      .value_or("");
+}
+
 ProjectBuilding read_building(const TomlTable& table, const Project& project) {
   if (project.of_roof) return read_building_below(table);
   ProjectBuilding building;
@@ -243,13 +253,12 @@ ProjectBuilding read_building(const TomlTable& table, const Project& project) {
                  fmt::format("a building period of {:.3g} s: no building has more than {:g} s",
                              building.period_s.back(), most_period_s),
                  "check the units: seconds, metres");
-  const NumberRule to_one{"from 0 to 1", [](double x) { return x >= 0.0 && x <= 1.0; }};
   table.refuse_both("mass_ratio", "weight_kn", "give the ratio, or both weights");
   if (table.has("weight_kn") && table.has("array_weight_kn")) {
     const double array_kn = table.number("array_weight_kn", not_negative).value_or(0.0);
     const double weight_kn = table.number("weight_kn", above_zero).value_or(1.0);
     const double ratio = array_kn / weight_kn;
-    if (!to_one.is_met(ratio))
+    if (!share_rule.is_met(ratio))
       table.report("array_weight_kn", "the array weighs more than the building", "check the units");
     building.mass_ratio = {ratio};
     const auto in_both = [&](double value_kn) {
@@ -260,13 +269,16 @@ ProjectBuilding read_building(const TomlTable& table, const Project& project) {
     building.mass_basis =
         "project file: weights of " + in_both(array_kn) + " and " + in_both(weight_kn);
   } else {
-    building.mass_ratio = read_values(table, "mass_ratio", to_one);
+    building.mass_ratio = read_values(table, "mass_ratio", share_rule);
   }
   building.storeys = table.number("storeys", storeys_rule);
   read_model(table, building);
   building.damping =
-      table.number("damping", {"from 0 to 0.999", [](double x) { return x >= 0.0 && x <= 0.999; }})
+      table
+          .number("damping", {"from 0 to 0.999", [](double x) { return x >= 0.0 && x <= 0.999; },
+                              "", "", true})
           .value_or(building.damping);
+  building.diaphragm = diaphragm_of(table);
   return building;
 }
 
@@ -325,9 +337,12 @@ void read_suite(const TomlTable& suite, Project& project) {
                  "give the path of a suite file, relative to the project file (suites/README.md)");
   project.of_roof = is_there && has_roof_motions(project.suite);
   project.simulated_motions = is_there && record_files(project.suite).empty();
-  if (is_there && !project.of_roof && suite.has("factor"))
-    suite.report("factor", "suite.factor is on motions of a roof, and the suite is of the ground",
-                 "leave it out: the site gives the factor on ground motions");
+  if (!is_there || project.of_roof) return;
+  for (const char* key : {"factor", "report", "author", "date"})
+    if (suite.has(key))
+      suite.report(key,
+                   suite.name_of(key) + " is of motions of a roof, and the suite is of the ground",
+                   "leave it out: the site gives the factor on ground motions");
 }
 
 void check_scaling_rule(const TomlTable& suite, const Project& project) {
@@ -420,7 +435,7 @@ Project read_one(const fs::path& file, std::optional<std::size_t> site) {
   document.read_only([](const std::string& name) { return has_key(project_grammar(), name); });
   Project project;
   project.file = file;
-  project.source_text = document.text();
+  project.source_text = without_comments(document.text());
   const auto read = [&](std::initializer_list<const char*> tables) {
     read_keys(project_tables(), tables, root, project);
   };
@@ -428,7 +443,12 @@ Project read_one(const fs::path& file, std::optional<std::size_t> site) {
   read_suite(root.table("suite"), project);
   check_scaling_rule(root.table("suite"), project);
   require_keys(root, project.of_roof);
-  read({"project", "site"});
+  const std::size_t before = root.problem_count();
+  read({"project"});
+  if (const TomlTable head = root.table("project");
+      head.has("name") && trimmed(project.title.name).empty() && root.problem_count() == before)
+    head.report("name", "project.name is empty", example("project", "name"));
+  read({"site"});
   read_site(root.table("site"), project);
   project.building = read_building(root.table("building"), project);
   project.slope_deg = read_slopes(root.table("roof"));

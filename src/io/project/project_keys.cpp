@@ -20,6 +20,7 @@ std::vector<KeyTable<Project>> make_tables_of_project() {
   constexpr auto title = &Project::title;
   constexpr auto array = &Project::array;
   constexpr auto friction = &Project::friction;
+  constexpr auto roof = &Project::roof;
   /// In the order of separations_of().
   const Reading available{"", "", [](const TomlTable& table, const char* key, Project& project) {
                             project.available_m.push_back(table.number(key, not_negative));
@@ -66,9 +67,11 @@ std::vector<KeyTable<Project>> make_tables_of_project() {
          reads<&Project::spectrum_file>()},
         {"hazard_analysis", "\"exception 2 of 11.4.8\"", alternative,
          "where ASCE 7-16, 11.4.8, requires a ground motion hazard analysis: the exception that is "
-         "taken, or the report of the analysis"},
+         "taken, or the report"},
         {"risk_category", "\"II\"", required, "\"I\" to \"IV\"",
-         reads<&Project::site, &ProjectSite::risk>(risk_names)}}},
+         reads<&Project::site, &ProjectSite::risk>(risk_names)},
+        {"fault_distance_km", "20", alternative, "to the nearest active fault",
+         reads<&Project::site, &ProjectSite::fault_distance_km>(not_negative)}}},
       {"building",
        {{"period_s", "[0.4, 0.5, 0.6]", required,
          "a period, or several that bound it, at most 1.3 times apart; or system and height_m"},
@@ -89,7 +92,9 @@ std::vector<KeyTable<Project>> make_tables_of_project() {
         {"array_weight_kn", "\"60 kip\"", alternative,
          "with weight_kn, in place of mass_ratio: weight of the array, ballast included"},
         {"weight_kn", "\"2400 kip\"", alternative, "seismic weight of the building"},
-        {"damping", "0.05", in_example, "damping ratio of the building"}}},
+        {"damping", "0.05", in_example, "damping ratio of the building"},
+        {"diaphragm", "\"rigid\"", alternative,
+         "of the roof: \"rigid\" (as computed), \"semirigid\", \"flexible\""}}},
       {"roof",
        {{"rise_in_12", "[0.25, 0.5]", required, "slope, one value or a range; or slope_deg"},
         {"slope_deg", "[1.2, 2.4]", alternative, "slope in degrees"}}},
@@ -105,12 +110,12 @@ std::vector<KeyTable<Project>> make_tables_of_project() {
         {"source", "\"test report 123\"", alternative, "where mu comes from"},
         {"laboratory", "\"\"", in_example, "that made the tests",
          reads<friction, &ProjectFriction::laboratory>()},
-        {"tested_on", "\"\"", in_example, "date of the tests",
+        {"tested_on", "\"\"", in_example, "date of the tests: \"2026-10-14\"",
          reads<friction, &ProjectFriction::tested_on>()},
         {"test_standard", "\"\"", in_example,
          "of the tests: \"ASTM G115\", which the standards require; empty: not stated",
          reads<friction, &ProjectFriction::test_standard>()},
-        {"surface", "\"\"", in_example, "membrane and feet in the tests: dry or wet",
+        {"surface", "\"\"", in_example, "in the tests, dry or wet: \"dry TPO\"",
          reads<friction, &ProjectFriction::surface>()}}},
       {"array",
        {{"model", "\"\"", in_example, "manufacturer and product",
@@ -129,7 +134,7 @@ std::vector<KeyTable<Project>> make_tables_of_project() {
          "horizontal design strength across any section of the array over the weight of its "
          "lighter "
          "side: a condition of the standards",
-         reads<array, &ProjectArray::interconnection>(not_negative)}}},
+         reads<array, &ProjectArray::interconnection>(share_rule)}}},
       {"suite",
        {{"file", "\"suite.toml\"", required,
          "suite of motions of the ground, or of the roof (then without periods, mass ratio and "
@@ -138,6 +143,11 @@ std::vector<KeyTable<Project>> make_tables_of_project() {
         {"factor", "1.0", alternative,
          "on motions of a roof, at the design earthquake (DBE); 1: as they are",
          reads<&Project::roof_factor>(above_zero)},
+        {"report", "\"report 12, nonlinear model\"", alternative, "on the motions of a roof",
+         reads<roof, &RoofMotions::report>()},
+        {"author", "\"Smith Engineers\"", alternative, "of them",
+         reads<roof, &RoofMotions::author>()},
+        {"date", "\"2026-10-14\"", alternative, "of them", reads<roof, &RoofMotions::date>()},
         {"scaling_rule", "\"asce7_16\"", alternative,
          "how the suite is scaled: \"walters_2012\" (the default), or by the clause of an edition: "
          "\"asce7_10\", \"asce7_16\", \"asce7_22\" (suites/README.md)",

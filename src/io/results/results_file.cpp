@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "glissade/core/printable.hpp"
 #include "glissade/io/study_file.hpp"
 #include "glissade/study/cases/sample_points.hpp"
 #include "glissade/study/run/reduce.hpp"
@@ -58,6 +59,8 @@ void check_suites(const Results& results) {
     expect_fit(record.suite == suite || record.suite == suite + 1, "records", "suites");
     suite = record.suite;
     expect_fit(record.stronger <= 1, "stronger", "two components");
+    for (const std::string& name : {record.id, record.event, record.station})
+      expect_fit(printable(name) == name, "records", "names without control characters");
     expect_fit(record.sa_g.size() == results.record_periods_s.size() &&
                    record.roof_velocity_mps.size() == results.record_periods_s.size(),
                "sa_g", "period_s");

@@ -15,6 +15,7 @@
 #include "study/analysis_tables.hpp"
 #include "study/case_tables.hpp"
 #include "study/published_table.hpp"
+#include "study/study_document.hpp"
 #include "study/study_keys.hpp"
 #include "toml/number_list.hpp"
 
@@ -160,6 +161,11 @@ StudyConfig read_study(const std::filesystem::path& file) {
 
 StudyConfig read_study(const std::filesystem::path& file, TextFiles& files) {
   TomlDocument document(file, &files);
+  return read_study(document, file, files);
+}
+
+StudyConfig read_study(TomlDocument& document, const std::filesystem::path& file,
+                       const TextFiles& files) {
   const TomlTable root = document.root();
   if (!root.has("study") && (root.has("project") || root.has("product")))
     throw InputError(

@@ -2,6 +2,9 @@
 #include "toml/source_text.hpp"
 
 #include <algorithm>
+#include <iterator>
+#include <map>
+#include <sstream>
 #include <string_view>
 
 #include "text/scan.hpp"
@@ -58,6 +61,48 @@ toml::table parse_toml(const std::string& text) {
         "more than 2000 points in a line: a list needs more lines, and names nest less deeply", at);
   }
   return toml::parse(text);
+}
+
+std::string text_of(const toml::table& root) {
+  std::ostringstream form;
+  form << root << "\n";
+  return form.str();
+}
+
+namespace {
+
+/// Where strings begin, and where they end.
+void collect_strings(const toml::node& node, const SourceText& source,
+                     std::map<std::size_t, std::size_t>& strings) {
+  if (const toml::table* table = node.as_table())
+    for (const auto& [key, value] : *table) collect_strings(value, source, strings);
+  else if (const toml::array* list = node.as_array())
+    for (const toml::node& value : *list) collect_strings(value, source, strings);
+  else if (node.is_string())
+    strings[source.offset_of(node.source().begin)] = source.offset_of(node.source().end);
+}
+
+}  // namespace
+
+std::string without_comments(const std::string& text) {
+  std::map<std::size_t, std::size_t> strings;
+  collect_strings(parse_toml(text), SourceText(text), strings);
+  const auto is_in_string = [&](std::size_t at) {
+    const auto behind = strings.upper_bound(at);
+    return behind != strings.begin() && at < std::prev(behind)->second;
+  };
+  std::string kept;
+  for (std::size_t begin = 0, end = 0; begin < text.size(); begin = end + 1) {
+    end = std::min(text.find('\n', begin), text.size());
+    std::string line;
+    for (std::size_t at = begin; at < end && (text[at] != '#' || is_in_string(at)); ++at)
+      line += text[at];
+    if (!is_in_string(end)) line.erase(line.find_last_not_of(" \t\r") + 1);
+    if (line.empty() && !is_in_string(end)) continue;
+    if (line.starts_with('[') && !is_in_string(begin) && !kept.empty()) kept += '\n';
+    kept += line + '\n';
+  }
+  return kept;
 }
 
 }  // namespace glissade

@@ -26,5 +26,9 @@ class SourceText {
 
 /// Throws toml::parse_error where it is not TOML, or nests deeper than a stack may be.
 toml::table parse_toml(const std::string& text);
+/// The tables as text.
+std::string text_of(const toml::table& root);
+/// The text of a file that is TOML without its comments and empty lines.
+std::string without_comments(const std::string& text);
 
 }  // namespace glissade

@@ -7,12 +7,13 @@
 #include <cmath>
 #include <map>
 #include <set>
-#include <sstream>
 #include <stdexcept>
 
+#include "glissade/core/contract.hpp"
 #include "glissade/core/printable.hpp"
 #include "text/scan.hpp"
 #include "toml/source_text.hpp"
+#include "toml/toml_text.hpp"
 #include "toml/written_units.hpp"
 
 namespace glissade {
@@ -38,6 +39,9 @@ struct TomlDocument::State {
   std::map<std::string, std::string> explained;  ///< what to suggest for keys that are none
   /// Literals in quotes that text_to_hash() has otherwise: where they begin, and how.
   std::map<std::size_t, std::string> written;
+
+  /// Keys whose values are paths.
+  std::vector<std::pair<toml::table*, std::string>> paths;
 
   /// Plain numbers of keys in m and kN, by where they begin: "height_m = 54 (177 ft)".
   std::map<std::size_t, std::string> unmarked;
@@ -109,10 +113,20 @@ std::optional<double> as_number(TomlDocument::State& document, const toml::node&
     table.report(key,
                  name + " = " + shortest_decimal(value) + " is not " +
                      (std::isfinite(value) ? rule.text + reason : "finite"),
-                 std::string("give a value ") + rule.text);
+                 rule.is_share && rule.is_met(value / 100.0)
+                     ? shortest_decimal(to_twelve_digits(value / 100.0)) + "?"
+                     : std::string("give a value ") + rule.text);
     return std::nullopt;
   }
   return value;
+}
+
+/// Whether it is free of control characters, which is reported.
+bool is_clean(const TomlTable& table, std::string_view key, const std::string& text) {
+  if (printable(text) == text) return true;
+  table.report(key, table.name_of(key) + " = " + in_quotes(text) + " has a control character",
+               "leave it out");
+  return false;
 }
 
 /// Of a key that is called for another unit, "height_ft" of "height_m": what its number is in.
@@ -205,9 +219,7 @@ std::string toml_without(const std::string& text, const std::vector<std::string>
   try {
     toml::table root = parse_toml(text);
     for (const std::string& table : tables) root.erase(table);
-    std::ostringstream form;
-    form << root;
-    return form.str();
+    return text_of(root);
   } catch (const toml::parse_error& error) {
     throw InputError({"the study", "is not TOML: " + std::string(error.description()), "", ""});
   }
@@ -243,6 +255,31 @@ void TomlDocument::choose(std::string_view key, std::size_t element) {
   }
   root.insert(name, std::move(chosen));
 }
+
+void TomlDocument::leave_out(std::string_view table) { state_->root.erase(table); }
+
+void TomlDocument::put(const std::string& toml) {
+  for (const auto& [key, value] : parse_toml(toml))
+    value.visit([&, name = key.str()](const auto& table) {
+      state_->root.insert_or_assign(name, table);  // a copy, which has no place in a file
+    });
+}
+
+void TomlDocument::move_paths(const std::filesystem::path& folder) {
+  const auto move = [&](toml::node& node) {
+    if (auto* path = node.as_string())
+      *path = relative_path(state_->file.parent_path() / path->get(), folder);
+  };
+  for (const auto& [table, key] : state_->paths) {
+    toml::node& value = *table->get(key);
+    if (toml::array* list = value.as_array())
+      for (toml::node& element : *list) move(element);
+    else
+      move(value);
+  }
+}
+
+std::string TomlDocument::values() const { return text_of(state_->root); }
 
 const std::string& TomlDocument::text() const { return state_->source.text(); }
 
@@ -363,6 +400,8 @@ bool TomlTable::is_there(const std::filesystem::path& file) const {
 void TomlTable::hash_without_folders(std::string_view key) const {
   const toml::node* node = find(*document_, node_, path_, key);
   if (node == nullptr) return;
+  document_->paths.emplace_back(const_cast<toml::table*>(&as_table(node_)),  // NOLINT: of its root
+                                key);
   const auto note = [&](const toml::node& path) {
     if (const auto text = path.value_exact<std::string>())
       document_->note_written(path.source().begin,
@@ -476,12 +515,7 @@ std::optional<std::string> TomlTable::text(std::string_view key, const std::stri
   if (!node->is_string())
     report(key, name_of(key) + " is " + kind_of(*node) + ", not a text", remedy);
   std::optional<std::string> text = node->value_exact<std::string>();
-  if (text && printable(*text) != *text) {
-    report(key, name_of(key) + " = " + in_quotes(*text) + " has a control character",
-           "leave it out");
-    return std::nullopt;
-  }
-  return text;
+  return text && is_clean(*this, key, *text) ? text : std::nullopt;
 }
 
 std::string TomlTable::required_text(std::string_view key, const std::string& remedy) const {
@@ -503,6 +537,8 @@ std::optional<std::vector<std::string>> TomlTable::texts(std::string_view key) c
     report(key, name_of(key) + " is not a list of texts", "write it as [\"...\", \"...\"]");
     return std::nullopt;
   }
+  for (const std::string& value : values)
+    if (!is_clean(*this, key, value)) return std::nullopt;
   return values;
 }
 

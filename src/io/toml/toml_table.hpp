@@ -25,10 +25,13 @@ struct NumberRule {
   bool (*is_met)(double);
   const char* reason = "";
   const char* unit_key = "";  ///< a key with the unit of these numbers, where their own has none
+  bool is_share = false;      ///< of a whole: one above 1 is perhaps in percent
 };
 inline constexpr NumberRule any_finite{"finite", [](double) { return true; }};
 inline constexpr NumberRule above_zero{"above 0", [](double x) { return x > 0.0; }};
 inline constexpr NumberRule not_negative{"0 or more", [](double x) { return x >= 0.0; }};
+inline constexpr NumberRule share_rule{"from 0 to 1", [](double x) { return x >= 0.0 && x <= 1.0; },
+                                       "", "", true};
 inline constexpr NumberRule friction_rule{
     "from 0 to 2", [](double x) { return x >= 0.0 && x <= 2.0; }, "no roof has more"};
 
@@ -61,6 +64,14 @@ class TomlDocument {
   /// [[key]] in the place of [key]: one of its elements is the table, and a table within that
   /// replaces the document's of the same name. Expects that there is such an element.
   void choose(std::string_view key, std::size_t element);
+  /// Leaves a table out, wherever the file has its parts.
+  void leave_out(std::string_view table);
+  /// Tables of another text in place of the document's; no problem in them has a line.
+  void put(const std::string& toml);
+  /// Paths that were read are from `folder` in the place of the file's.
+  void move_paths(const std::filesystem::path& folder);
+  /// What its tables now are, without the layout of the file.
+  std::string values() const;
   const std::string& text() const;
   /// The text with every quantity that was read and is written with a unit as a number in the unit
   /// of its key, and without the folders of the paths that hash_without_folders() names.
@@ -142,7 +153,8 @@ class TomlTable {
   /// A file that the table names, relative to the document's folder.
   TextFile text_file(const std::string& name) const;
   bool is_there(const std::filesystem::path& file) const;
-  /// The values of a key are paths: where the files are does not change what is computed.
+  /// The values of a key are paths (move_paths): where the files are does not change what is
+  /// computed.
   void hash_without_folders(std::string_view key) const;
   /// What to suggest where the table has a key that is none.
   void explain_unknown(std::string_view key, std::string suggestion) const;

@@ -49,8 +49,10 @@ Html checks_html(const CalculationPackage& package) {
                   ? "The array does not act back on the roof, whose motions are "
                     "those of the suite."
               : package.project.building.alpha.empty()
-                  ? "The building is elastic with one mode along each axis, without torsion."
-                  : "The building is elastic, with several modes along each axis, without torsion.",
+                  ? "The building is elastic with one mode along each axis, without torsion; its "
+                    "roof diaphragm is rigid."
+                  : "The building is elastic, with several modes along each axis, without torsion; "
+                    "its roof diaphragm is rigid.",
               std::string("The governing displacement is that of one earthquake. Displacements of "
                           "several earthquakes during the design life add up, and are not in it") +
                   (package.probability.hazard
@@ -122,7 +124,7 @@ Html inputs_html(const CalculationPackage& package) {
                   package.probability.plan_hash, package.project_sha256, package.suite_sha256));
   if (!package.project.simulated_motions) html += files_html(files_table(package));
   return html + "<h3>Project file, without its comments</h3>\n" +
-         study_file(without_comments(package.project.source_text));
+         study_file(package.project.source_text);
 }
 
 }  // namespace glissade

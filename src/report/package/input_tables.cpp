@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "glissade/core/units.hpp"
+#include "glissade/design/premises.hpp"
 #include "glissade/fragility/hazard.hpp"
 #include "glissade/motion/improbable.hpp"
 #include "glissade/report/format.hpp"
@@ -75,6 +76,9 @@ class InputRows {
   void add_stated(const char* quantity, const std::string& value) {
     if (!value.empty()) add(quantity, value, project_file);
   }
+  void add_premise(const char* quantity, const std::string& value) {
+    add(quantity, value.empty() ? "not stated" : value, project_file);
+  }
   void add_length(const char* quantity, const std::optional<double>& length_m) {
     add(quantity, length_m ? Cell(length_cell_in_both(*length_m)) : "not stated", project_file);
   }
@@ -122,17 +126,19 @@ Table scope_table(const CalculationPackage& package) {
               {}};
   for (const CodeCondition& c : of_standard(project, package.design).conditions)
     table.add({c.what, c.found, c.limit, c.clause, std::string(verdict_of(c.is_met))});
-  if (project.site.target.edition != AsceEdition::asce7_16) return table;
-  const bool required = !hazard_analysis_required(project.site.target).empty();
-  const std::string& stated = project.site.target.hazard_analysis;
-  if (project.site.target.is_mapped())
-    table.add({std::string("ground motion hazard analysis"),
-               !stated.empty() ? "stated by the engineer: " + stated
-               : required ? std::string("required; neither an analysis nor an exception stated")
-                          : std::string("not required"),
-               std::string("made, or an exception taken, where required"),
-               std::string("ASCE 7-16, 11.4.8"),
-               std::string(verdict_of(required && stated.empty() ? std::optional<bool>() : true))});
+  return table;
+}
+
+Table premises_table(const Project& project) {
+  Table table{"premises",
+              "Premises of the verdict: before all are met no separation is sufficient",
+              {text_column("premise", "Premise"), text_column("value", "Value"),
+               text_column("required", "Required"), text_column("key", "Key of the project"),
+               text_column("verdict", "Verdict")},
+              {}};
+  for (const Premise& premise : premises_of(project))
+    table.add({capitalised(premise.what), premise.found.text, std::string(premise.required),
+               std::string(premise.key), std::string(premise.found.is_met ? "met" : "OPEN")});
   return table;
 }
 
@@ -183,6 +189,11 @@ Table criteria_table(const CalculationPackage& package) {
   if (!points && !project.of_roof)
     rows.add("T_L", significant(target.tl_s, 6, "s"),
              project.site.states_tl ? InputRows::project_file : "NOT STATED: assumed");
+  rows.add("Distance to the nearest active fault",
+           project.site.fault_distance_km
+               ? Cell(significant(*project.site.fault_distance_km, 3, "km"))
+               : "not stated",
+           InputRows::project_file);
   rows.add("Seismic design category",
            category_text(project.site, site) +
                (target.is_mapped() || project.site.mapped ? "" : " (S_1 is not stated)"),
@@ -199,6 +210,9 @@ Table building_table(const CalculationPackage& package) {
   InputRows rows("building", "Building");
   if (p.of_roof) {
     rows.add("Model", "none is computed: the motions are those of its roof", "suite file");
+    rows.add_premise("Report on the roof motions", p.roof.report);
+    rows.add_premise("Its author", p.roof.author);
+    rows.add_premise("Its date", p.roof.date);
   } else {
     rows.add_stated("Structural system", building.system);
     if (building.height_m)
@@ -221,13 +235,18 @@ Table building_table(const CalculationPackage& package) {
                      range_text(building.alpha, ""),
            building.model_basis);
   rows.add("Damping", significant(100.0 * building.damping, 6, "%"), InputRows::project_file);
+  rows.add("Roof diaphragm",
+           building.diaphragm.empty()      ? "NOT STATED: computed as rigid"
+           : building.diaphragm == "rigid" ? "rigid"
+                                           : building.diaphragm + ": computed as rigid",
+           InputRows::project_file);
   return std::move(rows).table();
 }
 
 Table array_table(const CalculationPackage& package) {
   const Project& p = package.project;
   InputRows rows("array", "Array");
-  rows.add("Model", p.array.model.empty() ? "not stated" : p.array.model, InputRows::project_file);
+  rows.add_premise("Model", p.array.model);
   rows.add_stated("Ballast", p.array.ballast);
   rows.add_stated("Roof membrane", p.array.membrane);
   if (!p.of_roof)
@@ -251,10 +270,10 @@ Table array_table(const CalculationPackage& package) {
 Table friction_table(const CalculationPackage& package) {
   const ProjectFriction& mu = package.project.friction;
   InputRows rows("friction", "Coefficient of friction");
-  rows.add_stated("Laboratory", mu.laboratory);
-  rows.add_stated("Tests of", mu.tested_on);
+  rows.add_premise("Laboratory", mu.laboratory);
+  rows.add_premise("Tests of", mu.tested_on);
   rows.add_stated("Test standard", mu.test_standard);
-  rows.add_stated("Surface", mu.surface);
+  rows.add_premise("Surface", mu.surface);
   rows.add("Tests", mu.tests ? Cell(fixed(static_cast<double>(*mu.tests), 0)) : "not stated",
            mu.source);
   rows.add("\u03bc, mean", fixed(mu.mean, 3), "of the tests");

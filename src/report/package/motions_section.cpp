@@ -8,10 +8,16 @@
 namespace glissade {
 namespace {
 
+Html suite_html(const SuiteSummary& suite) {
+  return enclosed("<p>", "Suite: " + suite.name + (suite.description.empty() ? "" : ": "), "") +
+         given_text(suite.description) + ".</p>\n";
+}
+
 Html roof_motions_html(const CalculationPackage& package) {
   const SuiteSummary& suite = package.demand.suites.front();
-  return paragraph(fmt::format(
-             "Suite: {}{}. Its motions are those of the roof on which the array stands, of a "
+  return suite_html(suite) +
+         paragraph(fmt::format(
+             "Its motions are those of the roof on which the array stands, of a "
              "model of the building or recorded in it; they are used without a building and "
              "without "
              "a design spectrum. At DBE each is multiplied by {:g} (and by its scale in the "
@@ -19,7 +25,6 @@ Html roof_motions_html(const CalculationPackage& package) {
              "at MCE by 1.5 times that: a building that yields would have other motions there. "
              "The orientations swap and mirror the "
              "components: slopes along either axis of the building, in either direction.",
-             suite.name, suite.description.empty() ? "" : ": " + suite.description,
              package.project.roof_factor)) +
          page_table(motions_table(package.demand.records, package.files, package.project.of_roof)) +
          page_table(scaled_motions_table(package));
@@ -49,13 +54,13 @@ Html motions_html(const CalculationPackage& package, const std::vector<DrawnFigu
                  : fmt::format("it meets {}: its {}, here from {:.3g} to {:.3g} s, at DBE and MCE",
                                text_of(spectra.rule).clause, text_of(spectra.rule).spectrum,
                                spectra.range.from_s, spectra.range.to_s);
-  return paragraph(fmt::format(
-             "Suite: {}: {}. The suite, with its own scales, is multiplied by one factor, {:.4g} "
+  return suite_html(package.demand.suites.front()) +
+         paragraph(fmt::format(
+             "The suite, with its own scales, is multiplied by one factor, {:.4g} "
              "to "
              "DBE, so that {}. {} the lowest is {:.3f} times the design spectrum (at {:.3g} s), "
              "the highest "
              "{:.3f} times (at {:.3g} s){}. MCE is 1.5 times DBE.",
-             package.demand.suites.front().name, package.demand.suites.front().description,
              package.demand.records.front().factor_at_unit_level * dbe_level(package.project) /
                  package.demand.records.front().suite_scale,
              rule, by_walters ? "Between these periods" : "There", ratios.lowest.ratio,

@@ -18,6 +18,7 @@
 #include "package/sketch.hpp"
 #include "package/tables.hpp"
 #include "package/units.hpp"
+#include "page/symbols.hpp"
 
 namespace glissade {
 namespace {
@@ -57,7 +58,8 @@ Html scope_html(const CalculationPackage& package) {
                        ? "NOT APPLICABLE: not met: " + violated +
                              ". An unanchored array then requires the approval of the authority."
                    : !not_met.empty() ? "OPEN: not stated: " + not_met + "."
-                                      : "All conditions are met: the exception applies.");
+                                      : "All conditions are met: the exception applies.") +
+         page_table(premises_table(project));
 }
 
 /// What the project gives by points.
@@ -112,6 +114,28 @@ Html probability_html(const CalculationPackage& package, const Html& figure) {
 
 }  // namespace
 
+namespace {
+
+std::vector<std::string> user_texts(const CalculationPackage& package) {
+  std::vector<std::string> texts = glissade::user_texts(package.demand);
+  const Project& p = package.project;
+  const TitleBlock& title = p.title;
+  texts.insert(texts.end(), {title.name, title.address, title.authority, title.code, title.engineer,
+                             title.licence, title.revision, title.date, p.site_name, p.array.model,
+                             p.array.ballast, p.array.membrane, p.roof.report, p.roof.author,
+                             p.spectrum_file, p.site.target.hazard_analysis});
+  const ProjectFriction& mu = p.friction;
+  texts.insert(texts.end(), {mu.source, mu.direction, mu.laboratory, mu.tested_on, mu.test_standard,
+                             mu.surface});
+  for (const TraceFriction& trace : mu.traces) texts.push_back(trace.test);
+  for (const DirectionFriction& tested : mu.tested) texts.push_back(tested.direction);
+  for (const ProjectGap& gap : p.gaps) texts.push_back(gap.name);
+  for (const ComponentFile& file : package.files) texts.push_back(file.file);
+  return texts;
+}
+
+}  // namespace
+
 SiteSheet site_sheet(const CalculationPackage& package, const std::string& folder) {
   const LengthUnits units(package.project.units);
   const Project& project = package.project;
@@ -125,6 +149,7 @@ SiteSheet site_sheet(const CalculationPackage& package, const std::string& folde
                   .verdict = to_string(verdict_on(project, package.design))};
   const DesignTarget& target = project.site.mapped ? *project.site.mapped : project.site.target;
   if (target.s1_g > 0.0) sheet.s1_g = target.s1_g;
+  sheet.user_texts = user_texts(package);
   for (const ProjectSeparation& s : package.design.separations)
     sheet.largest_required_m = std::max(sheet.largest_required_m, s.required.value_m);
   const ProjectBuilding& building = project.building;
@@ -148,10 +173,12 @@ SiteSheet site_sheet(const CalculationPackage& package, const std::string& folde
 bool write_package(const CalculationPackage& package, const std::filesystem::path& out_dir,
                    bool overwrite) {
   const LengthUnits units(package.project.units);
+  const UserTexts texts(user_texts(package));
   const Project& project = package.project;
   std::vector<Table> tables{
       title_table(project),
       scope_table(package),
+      premises_table(project),
       criteria_table(package),
       building_table(package),
       array_table(package),

@@ -33,10 +33,10 @@ void add_site(const Project& project, ProvisionRows& rows) {
     rows.add(edition + "tables 11.4-1, 11.4-2", "F_a, F_v of the site class", Section::criteria,
              is_7_16 ? "[7]" : "");
     if (target.site_classes == std::vector{SiteClass::unknown})
-      rows.add(edition + "11.4.3, 11.4.4",
+      rows.add(edition + (is_7_16 ? "11.4.3, 11.4.4" : "11.4.2"),
                is_7_16 ? "default site class: D, F_a of at least 1.2" : "default site class: D",
                Section::criteria, is_7_16 ? "[7]" : "");
-    rows.add(edition + "11.4.4, 11.4.5",
+    rows.add(edition + (is_7_16 ? "11.4.4, 11.4.5" : "11.4.3, 11.4.4"),
              "S_MS = F_a S_S, S_M1 = F_v S_1, S_DS = 2/3 S_MS, "
              "S_D1 = 2/3 S_M1",
              Section::criteria, is_7_16 ? "[7]" : "");
@@ -51,7 +51,7 @@ void add_site(const Project& project, ProvisionRows& rows) {
              "to 5 s",
              Section::criteria);
     if (project.site.mapped)
-      rows.add("ASCE 7-16, 21.3", "a site-specific spectrum is 80 % of the general one or more",
+      rows.add(edition + "21.3", "a site-specific spectrum is 80 % of the general one or more",
                Section::checks);
   }
   rows.add(edition + "table 1.5-2", "I_e of the risk category", Section::criteria,
@@ -83,10 +83,7 @@ void add_pv1(const Project& project, ProvisionRows& rows) {
   if (project.standard == Standard::seaoc_pv1_2012) {
     for (const CodeCondition& c : conditions_of(Standard::seaoc_pv1_2012, {}))
       rows.add(clause, c.text(), Section::scope);
-    rows.add(clause,
-             "separations: 0.5, 1, 1 and 2 times the displacement (some recall 1.5 for the "
-             "last)",
-             Section::separations);
+    rows.add(clause, "separations: 0.5, 1, 1 and 2 times the displacement", Section::separations);
     rows.add(clause, qualifying_parapet(Standard::seaoc_pv1_2012), Section::separations);
     rows.add(clause, analysis_provision(Standard::seaoc_pv1_2012), Section::result);
   }

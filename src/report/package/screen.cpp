@@ -18,12 +18,13 @@ std::string line(const std::string& label, const std::string& value) {
   return fmt::format("{:<11}{}\n", label, value);
 }
 
-/// Of the building that is nearest to half of what the standards have.
+/// Of the building with the lowest ratio to what the standards have.
 std::string roof_acceleration_text(const DesignClearance& design) {
   const RoofPeak& roof = *std::ranges::min_element(design.roof, {}, &RoofPeak::over_standards);
-  return fmt::format("median {:.2f} g, 84th {:.2f} g at DBE; ASCE 7-16 {:.2f} g{}", roof.median_g,
-                     roof.p84_g, roof.asce7_16_g,
-                     roof.asce7_22_g ? fmt::format(", 7-22 {:.2f} g", *roof.asce7_22_g) : "");
+  return fmt::format("median {:.2f} g, 84th {:.2f} g at DBE; ASCE 7-16 {:.2f} g{}; ratio {:.2f}",
+                     roof.median_g, roof.p84_g, roof.asce7_16_g,
+                     roof.asce7_22_g ? fmt::format(", 7-22 {:.2f} g", *roof.asce7_22_g) : "",
+                     roof.over_standards());
 }
 
 std::string inputs_lines(const CalculationPackage& package) {

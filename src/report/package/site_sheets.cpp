@@ -8,6 +8,7 @@
 #include "package/print/print_head.hpp"
 #include "package/print/workbook.hpp"
 #include "package/units.hpp"
+#include "page/symbols.hpp"
 
 namespace glissade {
 namespace {
@@ -47,6 +48,10 @@ std::string sites_screen(const SiteSheets& sheets) {
 
 bool write_site_sheets(const SiteSheets& sheets, const std::filesystem::path& out_dir,
                        bool overwrite) {
+  std::vector<std::string> names{sheets.name};
+  for (const SiteSheet& site : sheets.sites)
+    names.insert(names.end(), site.user_texts.begin(), site.user_texts.end());
+  const UserTexts texts(names);
   const Table table = sites_table(sheets);
   write_workbook({table}, out_dir / "sites.xlsx");
   write_parts({"sites.html", {table}, {}}, out_dir, overwrite);

@@ -15,6 +15,8 @@ inline constexpr const char* displacement_symbol = "\u0394_MPV";
 Table title_table(const Project& project);
 /// Conditions of the exception for unattached arrays: value, limit, clause, verdict.
 Table scope_table(const CalculationPackage& package);
+/// What the verdict rests on and no analysis finds.
+Table premises_table(const Project& project);
 Table criteria_table(const CalculationPackage& package);
 Table building_table(const CalculationPackage& package);
 Table array_table(const CalculationPackage& package);

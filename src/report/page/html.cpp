@@ -98,8 +98,9 @@ Html skips_and_notes_html(const Results& results, const std::vector<Skip>& skips
 Html suites_html(const Results& results) {
   Html html;
   for (const SuiteSummary& suite : results.suites)
-    html += paragraph("Suite: " + suite.name + ". " + suite.description +
-                      (suite.target.empty() ? "" : ". Its design target: " + suite.target + "."));
+    html += enclosed("<p>", "Suite: " + suite.name + ". ", "") + given_text(suite.description) +
+            enclosed("", suite.target.empty() ? "" : ". Its design target: " + suite.target + ".",
+                     "</p>\n");
   return html;
 }
 
@@ -120,7 +121,9 @@ std::string html_report(const Results& results, const std::vector<DrawnFigure>& 
   const Answers answers = answers_of(results);
   const Html page =
       page_head({results.study_name, "sliding of an unanchored solar array"}) +
-      (results.study_description.empty() ? Html() : paragraph(results.study_description)) +
+      (results.study_description.empty()
+           ? Html()
+           : Html("<p>") + given_text(results.study_description) + "</p>\n") +
       answer_html(answers) + warnings_html(results) + paragraph(what_was_run(results)) +
       figures_html(figures) + analyses_html(results, answers) + assumptions_html(results) +
       skips_and_notes_html(results, skips) + inputs_html(results) +

@@ -61,6 +61,10 @@ Html page_foot() { return Html("</body>\n</html>\n"); }
 
 Html paragraph(const std::string& text) { return enclosed("<p>", text, "</p>\n"); }
 
+Html given_text(const std::string& text) {
+  return enclosed("<span class=\"given\">", text, "</span>");
+}
+
 Html heading(const std::string& text) { return enclosed("<h2>", text, "</h2>\n"); }
 
 Html wide_table(const Table& table) {

@@ -23,6 +23,8 @@ Html page_head(const PageTitle& title);
 Html page_foot();
 
 Html paragraph(const std::string& text);
+/// A description of the user, in which no symbols are set.
+Html given_text(const std::string& text);
 Html heading(const std::string& text);
 Html list(const std::vector<std::string>& items);
 /// As it was given, line by line.

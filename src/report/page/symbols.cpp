@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "page/symbols.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <string_view>
+#include <utility>
+
+#include "glissade/report/format.hpp"
 
 namespace glissade {
 namespace {
@@ -41,7 +45,8 @@ std::size_t end_of_markup(std::string_view page, std::size_t at) {
     return found == std::string_view::npos ? page.size() : found + close.size();
   };
   for (const auto& [open, close] :
-       std::array<std::array<std::string_view, 2>, 4>{{{"<style", "</style>"},
+       std::array<std::array<std::string_view, 2>, 5>{{{"<style", "</style>"},
+                                                       {"<span class=\"given\"", "</span>"},
                                                        {"<title", "</title>"},
                                                        {"<pre", "</pre>"},
                                                        {"<svg", "</svg>"}}})
@@ -49,9 +54,8 @@ std::size_t end_of_markup(std::string_view page, std::size_t at) {
   return behind(">");
 }
 
-}  // namespace
-
-std::string with_symbols(const std::string& page) {
+/// Each symbol that `may_be_set`.
+std::string set_symbols(std::string_view page, const auto& may_be_set) {
   std::string set;
   set.reserve(page.size() + page.size() / 16);
   std::size_t at = 0;
@@ -65,8 +69,11 @@ std::string with_symbols(const std::string& page) {
     }
     const bool is_sub = c == '_' && is_symbol(page, at), is_sup = c == '^';
     const std::size_t end = is_sub || is_sup ? end_of_index(page, at + 1) : at;
-    if (end <= at + 1 || (end < page.size() && (page[end] == '_' || page[end] == '.') &&
-                          end + 1 < page.size() && is_word(page[end + 1]))) {
+    const std::size_t begin = is_greek(page, at) ? at - 2 : at - std::min<std::size_t>(at, 1);
+    if (end <= at + 1 ||
+        (end < page.size() && (page[end] == '_' || page[end] == '.') && end + 1 < page.size() &&
+         is_word(page[end + 1])) ||
+        !may_be_set(page.substr(begin, end - begin))) {
       set += c;
       ++at;
       continue;
@@ -77,6 +84,36 @@ std::string with_symbols(const std::string& page) {
     at = end;
   }
   return set;
+}
+
+std::set<std::string, std::less<>> symbols_of_user;
+
+}  // namespace
+
+UserTexts::UserTexts(const std::vector<std::string>& texts) {
+  std::set<std::string, std::less<>> found;
+  for (const std::string& text : texts)
+    set_symbols(text, [&](std::string_view symbol) {
+      found.emplace(symbol);
+      found.insert(capitalised(std::string(symbol)));  // at the beginning of a sentence
+      return false;
+    });
+  before_ = std::exchange(symbols_of_user, std::move(found));
+}
+UserTexts::~UserTexts() { symbols_of_user = std::move(before_); }
+bool UserTexts::have(std::string_view symbol) { return symbols_of_user.contains(symbol); }
+
+std::vector<std::string> user_texts(const Results& results) {
+  std::vector<std::string> texts{results.study_name};
+  for (const SuiteSummary& suite : results.suites) texts.push_back(suite.name);
+  for (const RecordSummary& r : results.records)
+    texts.insert(texts.end(), {r.id, r.event, r.station});
+  for (const RunResults& run : results.runs) texts.push_back(run.label);
+  return texts;
+}
+
+std::string with_symbols(const std::string& page) {
+  return set_symbols(page, [](std::string_view symbol) { return !UserTexts::have(symbol); });
 }
 
 }  // namespace glissade

@@ -8,12 +8,14 @@
 #include "glissade/report/tables.hpp"
 #include "package/print/printable.hpp"
 #include "page/page.hpp"
+#include "page/symbols.hpp"
 
 namespace glissade {
 
 void write_report(const Results& results, const std::filesystem::path& out_dir,
                   const std::vector<Skip>& skips, bool overwrite) {
   const LengthUnits units(results.units);
+  const UserTexts texts(user_texts(results));
   std::vector<DrawnFigure> figures =
       write_parts({"report.html", csv_tables(results), make_figures(results)}, out_dir, overwrite);
   for (DrawnFigure& drawn : figures) drawn.svg = printable(drawn.svg);

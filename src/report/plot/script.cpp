@@ -8,6 +8,7 @@
 #include "glissade/core/finite.hpp"
 #include "glissade/core/wrap.hpp"
 #include "glissade/report/format.hpp"
+#include "page/symbols.hpp"
 #include "plot/labels.hpp"
 
 namespace glissade::gnuplot {
@@ -337,15 +338,18 @@ void add_panels(Script& script, const Figure& figure) {
 
 namespace {
 
-/// Of a symbol that the text begins with: "S_D1"; 0 where it begins with none.
-std::size_t symbol_length(std::string_view text) {
+/// Of a symbol that begins at `at`, "S_D1"; 0 where none does, or it is of a word or the user's.
+std::size_t symbol_at(std::string_view whole, std::size_t at) {
+  const std::string_view text = whole.substr(at);
+  const auto is_of_word = [](char c) {
+    return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
+  };
+  if (at > 0 && is_of_word(whole[at - 1])) return 0;
   for (const std::string_view symbol :
        {"S_DS", "S_D1", "S_MS", "S_M1", "S_S", "S_1", "S_a", "\u03b1_0"}) {
     const bool ends = text.size() == symbol.size() ||
-                      (text.size() > symbol.size() &&
-                       std::isalnum(static_cast<unsigned char>(text[symbol.size()])) == 0 &&
-                       text[symbol.size()] != '_');
-    if (text.starts_with(symbol) && ends) return symbol.size();
+                      (text.size() > symbol.size() && !is_of_word(text[symbol.size()]));
+    if (text.starts_with(symbol) && ends) return UserTexts::have(symbol) ? 0 : symbol.size();
   }
   return 0;
 }
@@ -362,7 +366,7 @@ Quoted::Quoted(std::string_view plain, Weight weight) {
   quoted_ = weight == Weight::bold ? "'{/:Bold " : "'";
   for (std::size_t i = 0; i < plain.size(); ++i) {
     const char c = plain[i];
-    const std::size_t symbol = symbol_length(plain.substr(i));
+    const std::size_t symbol = symbol_at(plain, i);
     if (symbol > 0) {  // gnuplot sets a subscript at 0.8 of the size
       const std::size_t index = plain.find('_', i) + 1;
       quoted_ += std::string(plain.substr(i, index - i)) + "{/*1.15 " +

@@ -13,6 +13,7 @@
 #include "package/print/print_head.hpp"
 #include "package/print/workbook.hpp"
 #include "package/tables.hpp"
+#include "page/symbols.hpp"
 #include "product/tables.hpp"
 #include "text/study_text.hpp"
 
@@ -89,6 +90,13 @@ std::string sheet_screen(const ProductSheet& sheet) {
 bool write_product_sheet(const ProductSheet& sheet, const std::filesystem::path& out_dir,
                          bool overwrite) {
   const Product& product = sheet.product;
+  std::vector<std::string> names{product.name, product.manufacturer, product.revision,
+                                 product.date};
+  for (const SheetTarget& of : sheet.targets) {
+    names.push_back(of.suite);
+    for (const RecordSummary& r : of.records) names.insert(names.end(), {r.id, r.event, r.station});
+  }
+  const UserTexts texts(names);
   std::vector<Table> tables = shown_tables(sheet);
   Html shown;
   for (const Table& table : tables) shown += wide_table(table);
@@ -113,8 +121,7 @@ bool write_product_sheet(const ProductSheet& sheet, const std::filesystem::path&
           "{}. The same files and version give the same numbers. All digits are in "
           "tables/displacements.csv.",
           sheet.program_version, sheet.build, plans, sheet.product_sha256, sheet.suite_sha256)) +
-      "<h3>Product file, without its comments</h3>\n" +
-      study_file(without_comments(product.source_text));
+      "<h3>Product file, without its comments</h3>\n" + study_file(product.source_text);
   return write_and_print(page, out_dir / "product.html");
 }
 

@@ -112,6 +112,12 @@ TEST(improbable_values, of_a_target_name_the_sites_of_asce7_16_11_4_8) {
   DesignTarget stated = target(AsceEdition::asce7_16, 1.5, 0.2, SiteClass::d);
   stated.hazard_analysis = "exception 2 of 11.4.8";
   EXPECT_THAT(improbable_values(stated), IsEmpty());
+  // Of another class, none, or in words only (recalled: 1 and 3 are of class E).
+  for (const char* other : {"exception 1 of 11.4.8", "exceptions 1, 3", "exception 4",
+                            "exception of the authority", "report 7"}) {
+    stated.hazard_analysis = other;
+    EXPECT_THAT(improbable_values(stated), ElementsAre(states("11.4.8", other))) << other;
+  }
 }
 
 }  // namespace

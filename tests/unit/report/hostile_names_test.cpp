@@ -9,6 +9,7 @@
 #include "glissade/report/html_text.hpp"
 #include "glissade/report/write_report.hpp"
 #include "made_up_results.hpp"
+#include "page/symbols.hpp"
 #include "plot/script.hpp"
 
 // Names from a results file must stay text wherever they go: in a script of gnuplot, which can run
@@ -46,6 +47,9 @@ TEST(gnuplot_script, quotes_what_could_end_or_act_in_a_string) {
   EXPECT_EQ(Quoted("over \u03b1_0, b_0").str(), "'over \u03b1_{/*1.15 0}, b\\_0'");
   EXPECT_EQ(Quoted("S_DS (g)").str(), "'S_{/*1.15 DS}\u00a0(g)'");
   EXPECT_EQ(Quoted("b", Quoted::Weight::bold).str(), "'{/:Bold b}'");
+  EXPECT_EQ(Quoted("DS_1").str(), "'DS\\_1'");  // a word
+  const UserTexts texts({"at S_1"});
+  EXPECT_EQ(Quoted("S_1 S_S").str(), "'S\\_1 S_{/*1.15 S}'");
 }
 
 TEST(gnuplot_script, has_no_line_that_a_name_began) {

@@ -88,5 +88,22 @@ TEST(symbols, are_set_in_text_alone) {
     EXPECT_EQ(with_symbols(unclosed), unclosed);
 }
 
+// An id, a name and a description are shown as they are written, whatever they are like.
+TEST(symbols, are_not_set_in_texts_of_the_user) {
+  Results results = made_up_results();
+  results.records.front().id = "R_1";
+  results.study_name = "Roof T_a^2";
+  results.study_description = "S_DS of x^2";
+  const std::vector<DrawnFigure> none;
+  {
+    const UserTexts texts(user_texts(results));
+    EXPECT_EQ(with_symbols("R_1, r_1: S_DS, T_L"),
+              "R_1, r<sub>1</sub>: S<sub>DS</sub>, T<sub>L</sub>");
+    const std::string html = html_report(results, none);
+    EXPECT_THAT(html, states("Roof T_a^2</h1>", ">R_1<", "S_DS of x^2", "<sub>DS</sub>"));
+  }
+  EXPECT_EQ(with_symbols("R_1"), "R<sub>1</sub>");
+}
+
 }  // namespace
 }  // namespace glissade

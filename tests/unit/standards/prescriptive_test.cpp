@@ -95,7 +95,7 @@ TEST(separations, to_an_edge_are_4_ft_or_more_by_ASCE_7_16_and_all_of_SEAOC_PV1_
             Provenance::checked);
   for (const Separation& s : separations_of(Standard::seaoc_pv1_2012, 19.2 * inch_m))
     EXPECT_EQ(s.provenance, Provenance::recalled);
-  EXPECT_THAT(separations_of(Standard::seaoc_pv1_2012, 1.0).back().basis, HasSubstr("1.5"));
+  EXPECT_EQ(separations_of(Standard::seaoc_pv1_2012, 1.0).back().basis, "");
 }
 
 TEST(prescriptive_input, negative_or_non_finite_numbers_are_input_errors) {

@@ -2,6 +2,7 @@
 #include "glissade/core/finite.hpp"
 #include "glissade/report/friction_report.hpp"
 #include "page/page.hpp"
+#include "page/symbols.hpp"
 
 namespace glissade {
 Table pull_tests_table(const PullTestSummary& summary) {
@@ -49,6 +50,9 @@ Table friction_table(const PullTestSummary& summary) {
 
 void write_friction_report(const std::vector<PullTest>& tests, const PullTestSummary& summary,
                            const std::filesystem::path& out_dir, bool overwrite) {
+  std::vector<std::string> names;
+  for (const PullTest& test : tests) names.insert(names.end(), {test.test, test.direction});
+  const UserTexts texts(names);
   ReportParts parts{.tables = {friction_table(summary)}};
   if (!tests.empty()) {
     parts.tables.push_back(pull_tests_table(summary));

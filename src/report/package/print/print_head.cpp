@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "package/print/print_head.hpp"
 
-#include <sstream>
-
 namespace glissade {
 namespace {
 
@@ -42,25 +40,6 @@ Html warnings_box(const std::vector<std::string>& warnings) {
   return warnings.empty()
              ? Html()
              : "<div class=\"warning\">\n<strong>Warnings</strong>\n" + list(warnings) + "</div>\n";
-}
-
-std::string without_comments(const std::string& toml) {
-  std::string text;
-  std::istringstream lines(toml);
-  for (std::string line; std::getline(lines, line);) {
-    std::size_t end = 0;
-    char quote = 0;
-    while (end < line.size() && (quote != 0 || line[end] != '#')) {
-      if (quote == 0 ? line[end] == '"' || line[end] == '\'' : line[end] == quote)
-        quote = quote == 0 ? line[end] : '\0';
-      ++end;
-    }
-    const std::size_t last = line.substr(0, end).find_last_not_of(" \t\r");
-    if (last == std::string::npos) continue;
-    if (line[0] == '[' && !text.empty()) text += "\n";
-    text += line.substr(0, last + 1) + "\n";
-  }
-  return text;
 }
 
 }  // namespace glissade

@@ -21,7 +21,4 @@ Html print_head(const PageTitle& title, const Footer& footer);
 /// Nothing of none.
 Html warnings_box(const std::vector<std::string>& warnings);
 
-/// A file without its comments, which are those of an example.
-std::string without_comments(const std::string& toml);
-
 }  // namespace glissade

@@ -1,0 +1,229 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "glissade/design/premises.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <chrono>
+#include <cstdio>
+
+#include "glissade/design/design_clearance.hpp"
+#include "glissade/motion/improbable.hpp"
+
+namespace glissade {
+namespace {
+
+using Found = std::optional<Statement>;
+
+const Statement not_stated{"not stated", false};
+
+std::string lower_case(std::string text) {
+  std::ranges::transform(text, text.begin(), [](unsigned char c) { return std::tolower(c); });
+  return text;
+}
+
+/// Neither empty nor a word that stands for nothing.
+bool is_stated(const std::string& text) {
+  const std::string words = lower_case(text);
+  const auto is_blank = [](unsigned char c) { return std::isalnum(c) == 0 && c < 0x80; };
+  const auto begins = [&](const char* word) { return words.starts_with(word); };
+  return !std::ranges::all_of(words, is_blank) &&
+         std::ranges::none_of(
+             std::array{"not stated", "not known", "none", "unknown", "n/a", "tbd", "to be "},
+             begins);
+}
+
+Statement stated(const std::string& text) {
+  return is_stated(text) ? Statement{text, true} : not_stated;
+}
+
+/// A day of the calendar, "2026-10-14".
+bool is_date(const std::string& text) {
+  int year = 0, month = 0, day = 0, length = 0;
+  constexpr std::size_t digits = 10;
+  if (text.size() != digits ||
+      std::sscanf(text.c_str(), "%4d-%2d-%2d%n", &year, &month, &day, &length) != 3)  // NOLINT
+    return false;
+  return length == static_cast<int>(digits) &&
+         std::chrono::year_month_day(std::chrono::year(year),
+                                     std::chrono::month(static_cast<unsigned>(month)),
+                                     std::chrono::day(static_cast<unsigned>(day)))
+             .ok();
+}
+
+Statement dated(const std::string& text) {
+  return is_stated(text) ? Statement{text, is_date(text)} : not_stated;
+}
+
+Found edition(const Project& p) {
+  const AsceEdition of_standard =
+      p.standard == Standard::asce7_16 ? AsceEdition::asce7_16 : AsceEdition::asce7_10;
+  return Statement{fmt::format("{} with site values of {}",
+                               p.standard == Standard::asce7_16 ? "ASCE 7-16" : "SEAOC PV1-2012",
+                               edition_name(p.site.target.edition)),
+                   p.site.target.edition == of_standard};
+}
+
+Found importance(const Project& p) {
+  const double of_category = importance_factor(p.site.risk);
+  return Statement{fmt::format("{:g}; {:g} of risk category {}", p.importance, of_category,
+                               to_string(p.site.risk)),
+                   p.importance >= of_category};
+}
+
+Found hazard_analysis(const Project& p) {
+  const DesignTarget& target = p.site.target;
+  if (target.edition != AsceEdition::asce7_16) return {};
+  const std::string& stated = target.hazard_analysis;
+  if (target.is_mapped()) {
+    if (hazard_analysis_required(target).empty()) return Statement{"not required", true};
+    const std::string unmet = unmet_hazard_analysis(target);
+    return Statement{unmet.empty() ? stated : unmet, unmet.empty()};
+  }
+  if (!target.period_s.empty()) return {};  // compared with the mapped values
+  if (stated.starts_with("report") &&
+      std::ranges::any_of(stated, [](unsigned char c) { return std::isdigit(c) != 0; }))
+    return Statement{stated, true};
+  return Statement{(stated.empty() ? "not stated" : "\"" + stated + "\"") +
+                       ", and S_S, S_1 and site class are not stated, by which it is required",
+                   false};
+}
+
+Found mapped_beside_spectrum(const Project& p) {
+  if (p.site.target.period_s.empty() || p.site.target.edition == AsceEdition::asce7_22) return {};
+  return p.site.mapped ? Statement{to_string(*p.site.mapped), true} : not_stated;
+}
+
+Found fault_distance(const Project& p) {
+  constexpr double near_fault_km = 15.0;
+  if (!p.site.fault_distance_km) return not_stated;
+  return Statement{fmt::format("{:g} km", *p.site.fault_distance_km),
+                   *p.site.fault_distance_km >= near_fault_km};
+}
+
+Found diaphragm(const Project& p) {
+  if (p.of_roof) return {};
+  const std::string& found = p.building.diaphragm;
+  return found.empty() ? not_stated : Statement{found, found == "rigid"};
+}
+
+/// A frequency, or the period of another building.
+Found period(const Project& p) {
+  constexpr double most_apart = 4.0, of_storey_s = 0.1;  // the latter: ASCE 7-16, 12.8-8, recalled
+  const ProjectBuilding& building = p.building;
+  if (p.of_roof || (!building.approximate_period_s && !building.storeys)) return {};
+  const double ta_s =
+      building.approximate_period_s.value_or(of_storey_s * building.storeys.value_or(1.0));
+  const double shortest_s = building.period_s.front(), longest_s = building.period_s.back();
+  return Statement{
+      fmt::format("{}, T_a {:.3g} s{}",
+                  shortest_s == longest_s
+                      ? fmt::format("{:.3g} s", longest_s)
+                      : fmt::format("{:.3g} to {:.3g} s", shortest_s, longest_s),
+                  ta_s, building.approximate_period_s ? "" : " (0.1 s for each storey)"),
+      shortest_s >= ta_s / most_apart && longest_s <= most_apart * ta_s};
+}
+
+Found source(const Project& p) { return stated(p.friction.source); }
+Found laboratory(const Project& p) { return stated(p.friction.laboratory); }
+Found tested_on(const Project& p) { return dated(p.friction.tested_on); }
+Found surface(const Project& p) {
+  Statement found = stated(p.friction.surface);
+  const std::string words = lower_case(found.text);
+  found.is_met = found.is_met &&
+                 (words.find("dry") != std::string::npos || words.find("wet") != std::string::npos);
+  return found;
+}
+
+Found conditions(const Project& p) {
+  const auto values = prescribed_values(p, site_values(p.site));
+  const auto of = std::ranges::find(values, p.standard, &PrescribedValue::standard);
+  return Statement{of->may_be_used() ? "all met" : of->not_met(), of->may_be_used()};
+}
+
+Found motions(const Project& p) {
+  return p.simulated_motions ? Statement{"simulated, which does not serve for a permit", false}
+                             : Statement{p.of_roof ? "of a roof" : "recorded", true};
+}
+
+Found scaling_rule(const Project& p) {
+  if (p.of_roof) return {};
+  const ScalingRuleText& rule = text_of(p.scaling_rule);
+  return Statement{rule.clause, p.scaling_rule == ScalingRule::walters_2012 ||
+                                    rule.key == to_string(p.site.target.edition)};
+}
+
+Found roof_report(const Project& p) { return p.of_roof ? Found(stated(p.roof.report)) : Found(); }
+Found roof_author(const Project& p) { return p.of_roof ? Found(stated(p.roof.author)) : Found(); }
+Found roof_date(const Project& p) { return p.of_roof ? Found(dated(p.roof.date)) : Found(); }
+
+Found units(const Project& p) {
+  const std::string unmarked = unmarked_numbers(p.unmarked_numbers);
+  return unmarked.empty() ? Statement{"all with units", true} : Statement{unmarked, false};
+}
+
+constexpr const char* a_date = "a date: \"2026-10-14\"";
+
+constexpr std::array rows{
+    PremiseRow{"units of lengths and weights", "project.units",
+               "each number in a US project with its unit", units},
+    PremiseRow{"standard and site values", "standards.compare",
+               "of one edition: ASCE 7-16, or SEAOC PV1-2012 with values of ASCE 7-10", edition},
+    PremiseRow{"importance factor I_e", "standards.importance", "that of the risk category or more",
+               importance},
+    PremiseRow{"ground motion hazard analysis (ASCE 7-16, 11.4.8)", "site.hazard_analysis",
+               "a report with its spectrum, or the exception that is of the site class, where "
+               "S_S, S_1 and site class require it",
+               hazard_analysis},
+    PremiseRow{"S_S, S_1 and site class beside the spectrum", "site.ss_g",
+               "stated: the spectrum is 80 % of theirs or more (21.3)", mapped_beside_spectrum},
+    PremiseRow{"distance to the nearest active fault", "site.fault_distance_km",
+               "15 km or more: at less the standard requires records with pulses (ASCE 7-16, "
+               "11.4.1, 16.2.2), which are not checked",
+               fault_distance},
+    PremiseRow{"roof diaphragm", "building.diaphragm",
+               "rigid, as it is computed: at midspan of a flexible one the mean slip was 1.3 to "
+               "2.3 times as large",
+               diaphragm},
+    PremiseRow{"building period", "building.period_s",
+               "from a quarter of the approximate period T_a to 4 times it", period},
+    PremiseRow{"source of the friction", "friction.source", "the test report", source},
+    PremiseRow{"laboratory of the friction tests", "friction.laboratory", "its name", laboratory},
+    PremiseRow{"date of the friction tests", "friction.tested_on", a_date, tested_on},
+    PremiseRow{"surface of the friction tests", "friction.surface", "wet or dry", surface},
+    PremiseRow{"conditions of the standard", "array",
+               "all met: else an unanchored array requires the approval of the authority",
+               conditions},
+    PremiseRow{"motions of the suite", "suite.file", "recorded, or of a roof", motions},
+    PremiseRow{"rule of scaling", "suite.scaling_rule",
+               "that of the site's edition of ASCE 7, or of Walters et al. (2012)", scaling_rule},
+    PremiseRow{"report on the roof motions", "suite.report", "its title and number", roof_report},
+    PremiseRow{"author of the roof motions", "suite.author", "who made or recorded them",
+               roof_author},
+    PremiseRow{"date of the roof motions", "suite.date", a_date, roof_date}};
+
+}  // namespace
+
+std::span<const PremiseRow> premise_rows() { return rows; }
+
+std::vector<Premise> premises_of(const Project& project) {
+  std::vector<Premise> found;
+  for (const PremiseRow& row : rows)
+    if (auto statement = row.find(project))
+      found.push_back({row.what, row.key, row.required, *std::move(statement)});
+  return found;
+}
+
+std::string not_met_text(const Premise& premise) {
+  return fmt::format("{}: {}; required: {} ({})", premise.what, premise.found.text,
+                     premise.required, premise.key);
+}
+
+bool is_of_premise(const Project& project, const std::string& warning) {
+  const std::string of_11_4_8 = hazard_analysis_required(project.site.target);
+  return !of_11_4_8.empty() && warning.starts_with(of_11_4_8);
+}
+
+}  // namespace glissade
