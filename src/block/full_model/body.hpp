@@ -40,6 +40,18 @@ class FullModelBody {
     double largest_w;  ///< |w|
   };
 
+  /// The building over a piece with the block at rest on it.
+  struct RestingRoof {
+    AxisSeries axis[2];
+    Axes mass;
+    const ExcitationPiece& excitation;
+    double a(std::size_t n, double fraction) const {
+      return axis[n].resisting.at(fraction) / mass[n];
+    }
+  };
+  RestingRoof resting_motion(const ExcitationPiece& piece) const;
+  Load load_at(const RestingRoof& resting, double fraction) const;
+
   bool at_rest() const { return !sliding_; }
   /// Whether a roof at rest stops the block; if not, it slides freely.
   bool will_stop() const;
@@ -85,13 +97,18 @@ class FullModelBody {
     double time_s = never;
     Vector along;                           ///< its direction, of unit length
     double begin_rate = 0.0, end_rate = 0;  ///< of its speed, now and at the stop
+    Axes interaction{};                     ///< now
+    Axes e_end{};                           ///< E at the stop
     double residual_speed = 0.0;            ///< that it may still have at the stop
   };
   bool may_stop(const UncoupledRoof& uncoupled, double left_s) const;
   StraightStop find_straight_stop(const UncoupledRoof& uncoupled, double left_s) const;
   Stop find_stop(const UncoupledRoof& uncoupled, double left_s, std::array<Ramp, 2>& interaction);
-  Stop find_curved_stop(const UncoupledRoof& uncoupled, double left_s, double allowed) const;
-  Load load_at_rest(const UncoupledRoof& uncoupled, double after_s) const;
+  Stop find_curved_stop(const UncoupledRoof& uncoupled, double left_s, double allowed,
+                        std::array<Ramp, 2>& interaction) const;
+  Axes interaction_of(Vector acceleration, const Axes& e, double w) const;
+  Axes e_after(const UncoupledRoof& uncoupled, double after_s, const Axes& interaction) const;
+  Load load_at_rest(const UncoupledRoof& uncoupled, double after_s, const Axes& interaction) const;
   bool passes_no_peak(Vector drive) const;
   bool stop_there(const Stop& stop, const UncoupledRoof& uncoupled,
                   const std::array<Ramp, 2>& interaction);

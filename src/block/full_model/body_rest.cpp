@@ -50,18 +50,30 @@ bool drives(const TwoAxisLoading& loading, const AxisSeries (&axis)[2]) {
 
 }  // namespace
 
-double FullModelBody::rest(const ExcitationPiece& piece) {
+FullModelBody::RestingRoof FullModelBody::resting_motion(const ExcitationPiece& piece) const {
   const Axes mass{axes_[0].stuck_mass(), axes_[1].stuck_mass()};
-  const AxisSeries motion[2] = {axes_[0].motion(piece.length_s, piece.ground[0], mass[0]),
-                                axes_[1].motion(piece.length_s, piece.ground[1], mass[1])};
+  return {{axes_[0].motion(piece.length_s, piece.ground[0], mass[0]),
+           axes_[1].motion(piece.length_s, piece.ground[1], mass[1])},
+          mass,
+          piece};
+}
+
+Load FullModelBody::load_at(const RestingRoof& resting, double fraction) const {
+  return contact_.loading().at(resting.a(0, fraction), resting.a(1, fraction),
+                               resting.excitation.w(fraction));
+}
+
+double FullModelBody::rest(const ExcitationPiece& piece) {
+  const RestingRoof resting = resting_motion(piece);
+  const AxisSeries(&motion)[2] = resting.axis;
   const FrictionEllipse& friction = contact_.friction_at_rest();
-  const Load begin = contact_.loading().at(motion[0].resisting.c[0] / mass[0],
-                                           motion[1].resisting.c[0] / mass[1], piece.w(0.0));
+  const Load begin = load_at(resting, 0.0);
   uplift_ = uplift_ || begin.normal < 0.0;
-  const double release = !drives(contact_.loading(), motion) ? never
-                         : friction.may_rest(begin)
-                             ? first_rise(excess(friction, contact_.loading(), motion, mass, piece))
-                             : 0.0;
+  const double release =
+      !drives(contact_.loading(), motion) ? never
+      : friction.may_rest(begin)
+          ? first_rise(excess(friction, contact_.loading(), motion, resting.mass, piece))
+          : 0.0;
   double yield[2], fraction = std::min(release, 1.0);
   for (std::size_t n = 0; n < 2; ++n) {
     yield[n] = axes_[n].next_yield(motion[n]);

@@ -174,9 +174,12 @@ double FullModelBody::step(const UncoupledRoof& uncoupled, double longest) {
   double length_s = std::min({step_s_, left_s, contact_.longest_step_s(load, accelerance_)});
   if (length_s < left_s && length_s > 0.5 * left_s) length_s = 0.5 * left_s;
   // A step from rest at whose end the load would let the block rest may miss its sliding.
-  while (now_.v.s == 0.0 && now_.v.y == 0.0 && length_s > shortest_start * left_s &&
-         contact_.friction().may_rest(load_at_rest(uncoupled, length_s)))
-    length_s *= 0.5;
+  if (now_.v.s == 0.0 && now_.v.y == 0.0) {
+    const RestingRoof resting = resting_motion(piece);
+    while (length_s > shortest_start * left_s &&
+           contact_.friction().may_rest(load_at(resting, length_s / piece.length_s)))
+      length_s *= 0.5;
+  }
   Axes yields{never, never};
   bool to_yield = false;
   for (;;) {

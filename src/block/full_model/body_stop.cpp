@@ -19,6 +19,19 @@ bool FullModelBody::may_stop(const UncoupledRoof& uncoupled, double left_s) cons
          !(length(now_.v) > margin * left_s * std::max(rate_bound(begin), rate_bound(end)));
 }
 
+/// E after a time of constant interaction, which changes the building to the second order of time.
+Axes FullModelBody::e_after(const UncoupledRoof& uncoupled, double after_s,
+                            const Axes& interaction) const {
+  Axes e = uncoupled.e(after_s / uncoupled.excitation.length_s);
+  for (std::size_t n = 0; n < 2; ++n)
+    for (const AxisMode& mode : axes_[n].modes()) {
+      const double phase = mode.omega_radps * after_s, damping = mode.twice_zeta;
+      e[n] += interaction[n] * mode.gain() * phase *
+              (damping + 0.5 * (axes_[n].stiffness() - damping * damping) * phase);
+    }
+  return e;
+}
+
 /// Along the line of its velocity, with the net acceleration now and at the stop as start and end
 /// of a straight line. The error is estimated by the acceleration half way, and by the transverse
 /// load.
@@ -33,22 +46,13 @@ FullModelBody::StraightStop FullModelBody::find_straight_stop(const UncoupledRoo
   const Vector along = stop.along = (1.0 / size) * heading;
   const Vector friction = contact_.friction().sliding(along);
 
-  // The interaction changes the building meanwhile, to the second order of time.
-  Axes interaction_now{};
   const auto state_at = [&](double t, double at_speed) {
-    const double fraction = t / piece.length_s;
-    Axes e = uncoupled.e(fraction);
-    for (std::size_t n = 0; n < 2; ++n)
-      for (const AxisMode& mode : axes_[n].modes()) {
-        const double phase = mode.omega_radps * t;
-        e[n] -= interaction_now[n] * mode.gain() * phase *
-                (mode.twice_zeta + 0.5 * axes_[n].stiffness() * phase);
-      }
     const double k = contact_.factor(at_speed);
-    return contact_.with_friction(k * friction, e, piece.w(fraction), accelerance_);
+    return contact_.with_friction(k * friction, e_after(uncoupled, t, stop.interaction),
+                                  piece.w(t / piece.length_s), accelerance_);
   };
   const ContactState first = state_at(0.0, speed);
-  interaction_now = first.interaction;
+  stop.interaction = first.interaction;
   const double begin_rate = stop.begin_rate = dot(along, first.a);
   if (speed == 0.0 && !(begin_rate > 0.0)) return stop;  // rounding on the threshold: it starts
   double t = left_s;
@@ -64,6 +68,7 @@ FullModelBody::StraightStop FullModelBody::find_straight_stop(const UncoupledRoo
     if (same) break;
   }
   stop.time_s = t;
+  stop.e_end = e_after(uncoupled, t, stop.interaction);
   const double half_speed = std::max(speed + 0.125 * t * (3.0 * begin_rate + stop.end_rate), 0.0);
   const double bend =
       std::abs(dot(along, state_at(0.5 * t, half_speed).a) - 0.5 * (begin_rate + stop.end_rate));
@@ -83,7 +88,9 @@ Stop FullModelBody::find_stop(const UncoupledRoof& uncoupled, double left_s,
   const Axes e0 = uncoupled.e(0.0);
   // A block that the load then leaves at rest has at most moved sideways; one that it moves on
   // keeps the error in velocity.
-  const auto load = [&](double at_s) { return load_at_rest(uncoupled, at_s); };
+  const auto load = [&](double at_s) {
+    return load_at_rest(uncoupled, at_s, straight.interaction);
+  };
   const double residual_speed = straight.residual_speed;
   constexpr double of_tolerance = 0.1;  // a speed that counts as none (on_building.hpp)
   if (residual_speed <= of_tolerance * tolerance_ * peak_speed_ ||
@@ -91,11 +98,9 @@ Stop FullModelBody::find_stop(const UncoupledRoof& uncoupled, double left_s,
           allowed) {
     const double rate0 = straight.begin_rate, rate1 = straight.end_rate;
     const Vector along = straight.along;
-    const Axes a0 = contact_.with_acceleration(rate0 * along, e0, piece.w(0.0), accelerance_).a;
-    const Axes e1 = uncoupled.e(t / piece.length_s);
-    const Axes a1 =
-        contact_.with_acceleration(rate1 * along, e1, piece.w(t / piece.length_s), accelerance_).a;
-    for (std::size_t n = 0; n < 2; ++n) interaction[n] = {e0[n] - a0[n], e1[n] - a1[n]};
+    const Axes begin = interaction_of(rate0 * along, e0, piece.w(0.0)),
+               end = interaction_of(rate1 * along, straight.e_end, piece.w(t / piece.length_s));
+    interaction = {Ramp{begin[0], end[0]}, Ramp{begin[1], end[1]}};
     const double path = std::max(0.0, t * (speed + t * (rate0 / 3.0 + rate1 / 6.0)));
     const double fastest =
         rate0 > 0.0 && rate1 < rate0 ? speed + 0.5 * rate0 * rate0 * t / (rate0 - rate1) : speed;
@@ -103,27 +108,26 @@ Stop FullModelBody::find_stop(const UncoupledRoof& uncoupled, double left_s,
   }
   step_s_ = std::min(step_s_, approach_to_stop * t);
   if (!contact_.friction().is_circle() || speed == 0.0) return {};
-  const Stop curved = find_curved_stop(uncoupled, left_s, allowed);
-  if (curved.time_s != never) {  // by the balance of momentum
-    const Axes a =
-        contact_.with_acceleration((-1.0 / curved.time_s) * now_.v, e0, piece.w(0.0), accelerance_)
-            .a;
-    for (std::size_t n = 0; n < 2; ++n) interaction[n] = {e0[n] - a[n], e0[n] - a[n]};
-  }
-  return curved;
+  return find_curved_stop(uncoupled, left_s, allowed, interaction);
 }
 
-/// The load that friction must balance if the block rests after this time.
-Load FullModelBody::load_at_rest(const UncoupledRoof& uncoupled, double after_s) const {
-  const double fraction = after_s / uncoupled.excitation.length_s;
-  return contact_
-      .with_acceleration({}, uncoupled.e(fraction), uncoupled.excitation.w(fraction), accelerance_)
+/// By the balance of momentum of a block with this acceleration.
+Axes FullModelBody::interaction_of(Vector acceleration, const Axes& e, double w) const {
+  const Axes a = contact_.with_acceleration(acceleration, e, w, accelerance_).a;
+  return {e[0] - a[0], e[1] - a[1]};
+}
+
+/// The load that friction must balance if the block rests after a time of constant interaction.
+Load FullModelBody::load_at_rest(const UncoupledRoof& uncoupled, double after_s,
+                                 const Axes& interaction) const {
+  const double w = uncoupled.excitation.w(after_s / uncoupled.excitation.length_s);
+  return contact_.with_acceleration({}, e_after(uncoupled, after_s, interaction), w, accelerance_)
       .load;
 }
 
 /// Under constant load, where R is as good as isotropic.
-Stop FullModelBody::find_curved_stop(const UncoupledRoof& uncoupled, double left_s,
-                                     double allowed) const {
+Stop FullModelBody::find_curved_stop(const UncoupledRoof& uncoupled, double left_s, double allowed,
+                                     std::array<Ramp, 2>& interaction) const {
   const ExcitationPiece& piece = uncoupled.excitation;
   const double mu = contact_.friction().along(), tangent = contact_.loading().tan_slope();
   const auto load_at = [&](double t) {
@@ -161,7 +165,9 @@ Stop FullModelBody::find_curved_stop(const UncoupledRoof& uncoupled, double left
       std::max(accelerance_.ss, accelerance_.yy) - accelerance_.mean + std::abs(accelerance_.sy) +
       2.0 * mu * tangent * (std::abs(accelerance_.ss) + std::abs(accelerance_.sy));
   const double residual_speed = drag * (anisotropy + std::abs(contact_.factor(now_.v) - 1.0));
-  const auto load = [&](double at_s) { return load_at_rest(uncoupled, at_s); };
+  const Axes mean = interaction_of((-1.0 / stop.time_s) * now_.v, uncoupled.e(0.0), piece.w(0.0));
+  interaction = {Ramp{mean[0], mean[0]}, Ramp{mean[1], mean[1]}};
+  const auto load = [&](double at_s) { return load_at_rest(uncoupled, at_s, mean); };
   const double fast = t * (0.5 * jerk * t + residual_speed);  // it may still be at the stop
   const bool is_exact =
       t * t * (jerk * t / 12.0 + 0.5 * residual_speed) <= allowed &&

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <limits>
 
+#include "glissade/core/not_converged.hpp"
+
 namespace glissade::block_detail {
 namespace {
 
@@ -72,6 +74,9 @@ class FallSearch {
       most_curvature_ += second;
       most_third_ += second * Series::order[k - 2];
     }
+    if (!(std::abs(f.at(1.0)) + most_third_ < never))
+      throw NotConverged(
+          "a power series is not finite");  // its parts would be searched without end
   }
 
   /// f(a) >= 0.

@@ -65,6 +65,7 @@ enum class Sign { plus, minus };
 
 /// The first tau at which the series becomes negative, or never. A series that begins at zero is
 /// negative at once only if it decreases from zero.
+/// @throw NotConverged if it is not finite
 double first_fall(const Series& series, Sign sign = Sign::plus);
 inline double first_rise(const Series& series) { return first_fall(series, Sign::minus); }
 

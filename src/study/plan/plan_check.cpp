@@ -8,7 +8,7 @@
 #include <map>
 #include <optional>
 
-#include "glissade/block/coupled.hpp"
+#include "glissade/block/on_building.hpp"
 #include "glissade/core/error.hpp"
 #include "glissade/core/finite.hpp"
 #include "glissade/core/units.hpp"
@@ -122,15 +122,16 @@ void check_motion(const StudyConfig& config, const Motion& motion, const std::st
   }
 }
 
+BiaxialBuilding elastic_building(const Plan& plan, Case c) {
+  c.response_modification = c.yield_coefficient = 0.0;
+  return biaxial_building(c, plan.config.building, nullptr);
+}
+
 bool is_regular(const Plan& plan, const Case& c) {
-  if (plan.kernel.kernel == Kernel::full) {
-    Case elastic = c;
-    elastic.response_modification = elastic.yield_coefficient = 0.0;
-    const BiaxialBuilding building = biaxial_building(elastic, plan.config.building, nullptr);
-    return coupling_is_regular(block_of(c), building) &&
-           (c.neighbour_friction == 0.0 || coupling_is_regular(neighbour_block(c), building));
-  }
-  return coupling_is_regular(block_of(c), c.mass_ratio);
+  if (c.mass_ratio == 0.0) return true;
+  const BiaxialBuilding building = elastic_building(plan, c);
+  return coupling_is_regular(block_of(c), building) &&
+         (c.neighbour_friction == 0.0 || coupling_is_regular(neighbour_block(c), building));
 }
 
 double longest_step_s(const Plan& plan) {
@@ -178,11 +179,15 @@ std::optional<std::string> problem_of(const Plan& plan, const Case& c, double st
         c.friction, c.friction_across);
   }
   if (plan.kernel.kernel != Kernel::tables && !is_regular(plan, c)) {
+    const Modes axis = elastic_building(plan, c).horizontal[0];
     return fmt::format(
-        "with mu = {:.3g}, a slope of {:.3g} degrees and a mass ratio of {:.3g} "
+        "with mu = {:.3g}, a slope of {:.3g} degrees and a mass ratio of {:.3g}{} "
         "friction locks the array against the roof it moves, and the coupled "
         "equations have no solution: take a smaller mass ratio, friction or slope",
-        c.friction, c.slope_deg, c.mass_ratio);
+        c.friction, c.slope_deg, c.mass_ratio,
+        axis.is_one_mass() ? ""
+                           : fmt::format(" ({:.3g} at the array, by the modes)",
+                                         c.mass_ratio * axis.accelerance()));
   }
   return std::nullopt;
 }

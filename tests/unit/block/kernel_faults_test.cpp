@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "block/events/coupled_spring.hpp"
+#include "block/polynomial/power_series.hpp"
 #include "block/slip_record/two_axis_extremes.hpp"
 #include "glissade/block/coupled.hpp"
 #include "glissade/block/on_building.hpp"
@@ -16,6 +17,7 @@
 #include "glissade/block/two_axis_lanes.hpp"
 #include "glissade/core/error.hpp"
 #include "glissade/core/not_converged.hpp"
+#include "unit/block/modes_reference.hpp"
 #include "unit/block/reference.hpp"
 
 namespace glissade {
@@ -204,6 +206,44 @@ TEST(a_step_of_a_nanosecond, is_refused_by_the_tables_of_a_building_instead_of_f
   const std::vector<double> many(200'000, 0.1);
   EXPECT_THROW(tabulate_roof({0.02, many}, {{0.00126, 0.05}, {}}, {}), InputError);
   EXPECT_NO_THROW(tabulate_roof({1e-9, record}, {}, {}));
+}
+
+// Found by a search of 2,000 scenes: all of their slip was missed. A mode of 2.8 steps moves the
+// block between samples at which it rests.
+TEST(peak_slip_on_modes, sees_a_release_between_samples_of_a_short_period) {
+  struct Found {
+    unsigned seed;
+    std::size_t samples;
+    double period_s, damping_ratio, participation, mass_share, first_period_s, mass_ratio, friction;
+  };
+  for (const Found& of : {Found{68535, 23, 0.058, 0.077, 0.77, 0.35, 1.08, 0.027, 1.22},
+                          Found{58350, 61, 0.056, 0.12, 0.92, 0.23, 1.2, 0.1, 1.43}}) {
+    const double dt_s = 0.02;
+    const std::vector<double> samples = made_up_record(of.samples, of.seed, 10.0);
+    const Mode modes[] = {{of.first_period_s, 1.0 - of.participation, 0.25, of.damping_ratio},
+                          {of.period_s, of.participation, of.mass_share, of.damping_ratio}};
+    const Modes axis(modes);
+    const Block block{.friction = of.friction};
+    const test::ModesReference truth(samples, dt_s, axis, of.mass_ratio, block, 2.0, 100);
+    const BuildingGround ground{{std::make_shared<GroundTable>(dt_s, samples), nullptr}, nullptr};
+    const TwoAxisScene scene{{{axis, axis}, {}, of.mass_ratio}, block, {}};
+    BuildingPeak peak;
+    peak_slip_two_axes(ground, {&scene, 1}, {&peak, 1});
+    ASSERT_GT(truth.peak_m, 1e-6);
+    EXPECT_EQ(peak.slip_phases, truth.phases);
+    EXPECT_NEAR(peak.peak_displacement_m, truth.peak_m, 1e-5 * truth.peak_m);
+  }
+}
+
+// It divided its parts without end.
+TEST(first_fall, of_a_series_that_is_not_finite_is_refused) {
+  for (const double bad : {NAN, INFINITY})
+    for (const int k : {0, 1, 2, 5}) {
+      block_detail::Series series{{1.0, -0.5, -1.0, 0.3, -0.2, 0.1}, 6};
+      series.c[static_cast<std::size_t>(k)] = -bad;
+      if (k == 0 && std::isinf(bad)) continue;  // it begins below zero
+      EXPECT_THROW(block_detail::first_fall(series), NotConverged) << bad << ' ' << k;
+    }
 }
 
 }  // namespace kernel_faults_test

@@ -2,6 +2,7 @@
 // The full model on buildings of several modes.
 #include <gtest/gtest.h>
 
+#include "glissade/block/two_axis_lanes.hpp"
 #include "unit/block/truth_scenes.hpp"
 
 namespace glissade {
@@ -84,6 +85,59 @@ TEST(slide_on_modes, a_mode_of_hardly_any_participation_changes_hardly_anything)
     EXPECT_NEAR(two.peak_base_shear[n], one.peak_base_shear[n], 1e-5 * one.peak_base_shear[n]);
     EXPECT_NEAR(two.peak_roof_displacement_m[n], one.peak_roof_displacement_m[n],
                 1e-8 * one.peak_roof_displacement_m[n]);
+  }
+}
+
+// A block of m/M times the sum of gamma^2 / e up to 12 changes its roof at a stop by more than the
+// load that holds it. Both kernels stop, and start again, as often as between exact events.
+TEST(slide_on_modes, a_block_of_strong_coupling_starts_and_stops_as_often_as_between_exact_events) {
+  for (const test::StrongCoupling& of : test::strong_couplings) {
+    SCOPED_TRACE(testing::Message() << of.peak_g << ' ' << of.alpha << ' ' << of.mass_ratio);
+    const OnBuilding s = of.scene();
+    const test::ModesReference truth = of.truth();
+    ASSERT_GT(truth.peak_m, 0.003);
+    const BuildingSlip full = s.result();
+    const TwoAxisScene in_lane{s.building, s.block, {}};
+    BuildingPeak lane;
+    peak_slip_two_axes(s.ground(), {&in_lane, 1}, {&lane, 1});
+    EXPECT_FALSE(lane.failed);
+    for (const SlipPeak& r : {SlipPeak(full.slip), SlipPeak(lane)}) {
+      EXPECT_EQ(r.slip_phases, truth.phases);
+      EXPECT_NEAR(r.peak_displacement_m, truth.peak_m, 1e-6 * truth.peak_m);
+      EXPECT_NEAR(r.residual.along_m, truth.residual_m, 1e-6 * truth.peak_m);
+    }
+    EXPECT_NEAR(full.peak_base_shear[0], truth.base_shear, 1e-3 * truth.base_shear);
+  }
+}
+
+// Of several modes base shear jumps with the friction by what the array gives to modes that are
+// left out. With friction that differs by one unit in the last place, nothing else may.
+TEST(slide_on_modes, base_shear_of_neighbouring_frictions_is_the_same) {
+  std::mt19937 random(48);
+  const auto uniform = [&](double low, double high) { return test::uniform(random, low, high); };
+  for (int i = 0; i < 60; ++i) {
+    OnBuilding s(static_cast<unsigned>(900 + i), 300, 9.0);
+    s.dt_s = 0.01;
+    s.up.clear();
+    const double period_s = uniform(0.2, 1.5), alpha = uniform(0.0, 20.0),
+                 damping_ratio = i % 2 == 0 ? 0.05 : 0.3;
+    for (std::size_t n = 0; n < 2; ++n) {
+      std::vector<Mode> modes =
+          governing_modes(cantilever_modes(n == 0 ? period_s : 0.6 * period_s, alpha, 12));
+      for (Mode& mode : modes) mode.damping_ratio = damping_ratio;
+      s.building.horizontal[n] = Modes(modes);
+    }
+    s.building.mass_ratio = uniform(0.05, 1.0);
+    const double mu = uniform(0.1, 0.5);
+    s.block = {{mu, i % 3 == 0 ? mu : 0.7 * mu}, i % 4 == 0 ? 0.0 : 0.02, uniform(-3.1, 3.1)};
+    SCOPED_TRACE(i);
+    const BuildingSlip one = s.result();
+    s.block.friction.across = std::nextafter(s.block.friction.across, 0.0);
+    const BuildingSlip other = s.result();
+    for (std::size_t n = 0; n < 2; ++n)
+      EXPECT_NEAR(other.peak_base_shear[n], one.peak_base_shear[n], 1e-3 * one.peak_base_shear[n]);
+    EXPECT_NEAR(other.slip.peak_displacement_m, one.slip.peak_displacement_m,
+                1e-5 * one.slip.peak_displacement_m);
   }
 }
 

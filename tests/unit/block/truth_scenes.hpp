@@ -2,6 +2,7 @@
 #pragma once
 
 #include "two_axis_truth/two_axis_truth.hpp"
+#include "unit/block/modes_reference.hpp"
 #include "unit/block/on_building_scene.hpp"
 
 namespace glissade::test {
@@ -93,6 +94,35 @@ struct StoreyScene {
     return TwoAxisTruth(as);
   }
 };
+
+/// A cantilever of 0.9 s under a block that is heavy for its modes, and a harmonic ground along one
+/// axis, with a second of rest after it.
+struct StrongCoupling {
+  double peak_g, ground_hz, alpha, mass_ratio;
+
+  OnBuilding scene() const {
+    OnBuilding s;
+    s.dt_s = 0.01;
+    s.first.assign(600, 0.0);
+    for (int i = 0; i <= 500; ++i)
+      s.first[i] = peak_g * standard_gravity_mps2 *
+                   std::sin(2.0 * std::numbers::pi * ground_hz * i * s.dt_s);
+    s.second.clear();
+    s.up.clear();
+    std::vector<Mode> modes = governing_modes(cantilever_modes(0.9, alpha, 12));
+    for (Mode& mode : modes) mode.damping_ratio = 0.3;
+    s.building = {{Modes(modes), Modes(modes)}, {}, mass_ratio};
+    s.block = {.friction = 0.2, .slope_rad = rad_per_deg};
+    return s;
+  }
+  ModesReference truth() const {
+    const OnBuilding s = scene();
+    return {s.first, s.dt_s, s.building.horizontal[0], mass_ratio, s.block, 1.0, 60};
+  }
+};
+/// m/M times the sum of gamma^2 / e: 5.5, 12, 0.9 and 10.
+constexpr StrongCoupling strong_couplings[] = {
+    {0.3, 2.0, 7.0, 0.3}, {0.8, 1.5, 0.0, 1.0}, {0.3, 2.0, 7.0, 0.05}, {0.5, 3.0, 20.0, 0.6}};
 
 inline std::vector<double> numbers(const BuildingSlip& r) {
   return {r.slip.peak_displacement_m,    r.slip.residual.along_m,

@@ -7,6 +7,7 @@
 
 #include "glissade/block/two_axis_lanes.hpp"
 #include "glissade/io/record_file.hpp"
+#include "unit/block/modes_reference.hpp"
 #include "unit/block/truth_scenes.hpp"
 
 namespace glissade {
@@ -121,6 +122,49 @@ TEST(two_axes_recorded, a_slow_block_that_the_load_turns_does_not_come_to_rest) 
   BuildingPeak peak;
   peak_slip_two_axes(ground, {&scene, 1}, {&peak, 1}, 1e-6);
   EXPECT_NEAR(peak.peak_displacement_m, truth_m, 2e-6 * truth_m);
+}
+
+Modes cantilever(double period_s, double alpha, double damping_ratio) {
+  std::vector<Mode> modes = governing_modes(cantilever_modes(period_s, alpha, 12));
+  for (Mode& mode : modes) mode.damping_ratio = damping_ratio;
+  return Modes(modes);
+}
+
+// It ended as too many steps.
+TEST(two_axes_recorded, a_block_of_the_mass_of_the_building_stops_as_between_exact_events) {
+  if (!Pair::exists()) GTEST_SKIP() << recorded() << " has no fema_p695_far_field";
+  const auto record = read_record(recorded() / "fema_p695_far_field/RSN169_IMPVALL.H_H-DLT262.AT2");
+  const BuildingGround ground{
+      {std::make_shared<GroundTable>(record.dt_s, record.acceleration_mps2), nullptr}, nullptr};
+  const Modes axis = cantilever(0.3, 7.0, 0.1);
+  const Block block{.friction = 0.2, .slope_rad = 1.0 * rad_per_deg};
+  const std::vector<double> samples(record.acceleration_mps2.begin(),
+                                    record.acceleration_mps2.end());
+  const test::ModesReference truth(samples, record.dt_s, axis, 1.0, block, 5.0, 20);
+  const BuildingSlip r = slide_on_building(ground, {}, {{axis, axis}, {}, 1.0}, block);
+  EXPECT_EQ(r.slip.slip_phases, truth.phases);
+  EXPECT_NEAR(r.slip.peak_displacement_m, truth.peak_m, 2e-6 * truth.peak_m);
+  EXPECT_NEAR(r.peak_base_shear[0], truth.base_shear, 1e-3 * truth.base_shear);
+}
+
+// It was 8 % larger than between steps of 1e-9: friction of another direction at a stop.
+TEST(two_axes_recorded, base_shear_of_several_modes_does_not_depend_on_the_tolerance) {
+  if (!Pair::exists()) GTEST_SKIP() << recorded() << " has no fema_p695_far_field";
+  const Pair motion("RSN1787_HECTOR_HEC000.AT2", "RSN1787_HECTOR_HEC090.AT2");
+  for (const double mass_ratio : {0.3, 1.0}) {
+    const BiaxialBuilding building{
+        {cantilever(0.5, 5.0, 0.3), cantilever(0.3, 5.0, 0.3)}, {}, mass_ratio};
+    const BuildingGround ground = motion.ground();
+    for (const double across : {0.28, std::nextafter(0.28, 0.0)}) {
+      const Block block{{0.4, across}, 0.0, -110.0 * rad_per_deg};
+      const MotionFactors factors{1.5, 1.5};
+      const BuildingSlip fine = slide_on_building(ground, factors, building, block, 1e-9),
+                         r = slide_on_building(ground, factors, building, block);
+      EXPECT_EQ(r.slip.slip_phases, fine.slip.slip_phases);
+      for (std::size_t n = 0; n < 2; ++n)
+        EXPECT_NEAR(r.peak_base_shear[n], fine.peak_base_shear[n], 1e-3 * fine.peak_base_shear[n]);
+    }
+  }
 }
 
 }  // namespace two_axis_recorded_test

@@ -400,6 +400,17 @@ TEST(plan_of_a_model, refuses_what_does_not_go_together_with_one_message) {
   config.quantities.at("roof", "slope_deg") = fixed(45.0);
   expect_refused(config, small_suite(), "friction locks the array against the roof");
 
+  // One mass of this m/M is far from it; three modes of walls are 12 times as light at the roof.
+  config = tiny_config();
+  config.quantities.at("building", "period_s") = fixed(1.5);
+  config.quantities.at("building", "mass_ratio") = fixed(0.3);
+  config.quantities.at("friction", "mu") = fixed(1.4);
+  config.quantities.at("roof", "slope_deg") = fixed(15.0);
+  EXPECT_NO_THROW(make_plan(config, {small_suite()}));
+  config.building.kind = BuildingModel::Kind::cantilever;
+  config.quantities.at("building", "alpha") = fixed(0.0);
+  expect_refused(config, small_suite(), "a mass ratio of 0.3 (3.6 at the array, by the modes)");
+
   config = tiny_config();
   config.quantities.at("building", "mass_ratio") = fixed(0.1);
   config.tipping = RigidBase{1.0, 2.0};

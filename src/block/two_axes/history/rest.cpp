@@ -87,34 +87,36 @@ struct Sample {
   double tau, value;
 };
 
-/// Where a function that is not positive at both ends, and leaves the chord over a part of length
+/// Where a function that begins at zero or below, and rises above the chord over a part of length
 /// tau by no more than bend tau^2, first rises above zero: its halves are searched in turn, down to
 /// 1/256. Never: nowhere.
 template <class Function>
-double rise_above_chord(const Function& f, Sample low, Sample high, double bend) {
+double first_above(const Function& f, Sample low, Sample high, double bend) {
   constexpr double shortest = 1.0 / 256;
-  const double length = high.tau - low.tau;
-  if (std::max(low.value, high.value) + bend * length * length <= 0.0 || length <= shortest)
-    return never;
-  const double middle = 0.5 * (low.tau + high.tau), value = f(middle);
-  if (value > 0.0) return rise_by_secant(f, low.value, value, low.tau, middle);
-  const double left = rise_above_chord(f, low, {middle, value}, bend);
-  return left < 1.0 ? left : rise_above_chord(f, {middle, value}, high, bend);
+  if (high.value > 0.0) high = {rise_by_secant(f, low.value, high.value, low.tau, high.tau), 0.0};
+  const bool rises = high.value == 0.0;
+  const double length = high.tau - low.tau, root = rises ? high.tau : never;
+  // Near a root at the end it is above zero only if its begin is not below four bends.
+  const double most = rises ? low.value + 4.0 * bend * length * length
+                            : std::max(low.value, high.value) + bend * length * length;
+  if (most <= 0.0 || length <= shortest) return root;
+  const double middle = 0.5 * (low.tau + high.tau);
+  const Sample half{middle, f(middle)};
+  const double left = first_above(f, low, half, bend);
+  return left < never ? left : std::min(root, first_above(f, half, high, bend));
 }
 
 }  // namespace
 
-/// The fraction of a piece after which the block no longer sticks, or
-/// never.
+/// The fraction of a piece after which the block no longer sticks, or never.
 double LaneHistory::release(const RoofPiece& piece) {
   uplift_ = uplift_ || piece.load(0.0).normal < 0.0 || piece.load(1.0).normal < 0.0;
   const auto excess = [&](double tau) { return -friction_reserve(piece.load(tau), constants_); };
   const double begin = excess(0.0), end = excess(1.0);
   constexpr double rounding = 1e-13;  // of gravity, in the load
   if (begin > rounding * constants_.gravity) return 0.0;
-  if (end > 0.0) return rise_by_secant(excess, std::min(begin, 0.0), end);
-  if (-std::max(begin, end) > piece.deviation()) return never;
-  return rise_above_chord(excess, {0.0, std::min(begin, 0.0)}, {1.0, end}, piece.bend());
+  if (!(end > 0.0) && -std::max(begin, end) > piece.deviation()) return never;
+  return first_above(excess, {0.0, std::min(begin, 0.0)}, {1.0, end}, piece.bend());
 }
 
 /// A spring yields, or is elastic again from where it is.

@@ -98,7 +98,11 @@ void Pool::step(OwnedLanes& owned) {
 
 void Pool::go_on(std::unique_ptr<Underway> next,
                  LaneHistory::Next (LaneHistory::*to_next)(HistoryState&)) {
-  const LaneHistory::Next found = (next->history.*to_next)(next->state);
+  LaneHistory::Next found = LaneHistory::Next::unsupported;
+  try {
+    found = (next->history.*to_next)(next->state);
+  } catch (const NotConverged&) {  // slide_on_building() says what it is
+  }
   const bool is_too_long = next->implicit_steps > most_implicit_steps();
   const bool lifted_on_springs = roof_ == RoofKind::yielding && next->history.uplift();
   if (found == LaneHistory::Next::unsupported || lifted_on_springs ||

@@ -106,9 +106,7 @@ void RestTable::tabulate(const GroundNodes& ground, const std::array<Modes, 2>& 
     const double after = tabulate_axis(n, ground, modes[n]);
     a[n] = own_a[n].data();
     tile[n] = tile_maxima(a[n], end);
-    std::vector<double> between = tile[n];
-    for (std::size_t k = 0; k < between.size(); ++k) between[k] += deviation[n][k];
-    coming[n] = suffix_maxima(std::move(between), after);
+    coming[n] = suffix_maxima(between_nodes(tile[n], deviation[n]), after);
   }
 }
 

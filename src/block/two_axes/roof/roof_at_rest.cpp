@@ -101,14 +101,10 @@ bool RoofAtRest::sticks_from(std::size_t node) const {
   if (after_record_)
     return sticks(free_bound_, 0.0) && stays_elastic([](std::size_t) { return 0.0; });
   std::array<double, 2> a = free_bound_;
-  for (std::size_t n = 0; n < 2; ++n) {
-    a[n] += std::abs(factor(n)) * table_.coming[n][k];
-    if (vibrates()) a[n] *= between_nodes;
-  }
+  for (std::size_t n = 0; n < 2; ++n) a[n] += std::abs(factor(n)) * table_.coming[n][k];
   return sticks(a, std::abs(constants_.factor_w) * ground_.w_to_come(k)) &&
-         stays_elastic([&](std::size_t n) {
-           return between_nodes * std::abs(factor(n)) * table_.spring_coming[n][k];
-         });
+         stays_elastic(
+             [&](std::size_t n) { return std::abs(factor(n)) * table_.spring_coming[n][k]; });
 }
 
 double RoofAtRest::deviation(std::size_t axis, std::size_t node) const {

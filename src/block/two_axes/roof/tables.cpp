@@ -20,6 +20,12 @@ std::vector<double> tile_maxima(const double* values, std::size_t last_node) {
   return largest;
 }
 
+std::vector<double> between_nodes(std::vector<double> at_nodes,
+                                  const std::vector<double>& deviation, double factor) {
+  for (std::size_t k = 0; k < at_nodes.size(); ++k) at_nodes[k] += factor * deviation[k];
+  return at_nodes;
+}
+
 std::vector<double> suffix_maxima(std::vector<double> values, double after) {
   for (std::size_t k = values.size(); k-- > 0;) values[k] = after = std::max(values[k], after);
   return values;
@@ -56,7 +62,8 @@ FreeVibration::FreeVibration(double omega_radps, double twice_zeta, double per_m
   const OscillatorStep s =
       oscillator_step(omega_radps * dt_s, 0.5 * twice_zeta, 1.0 / per_mass, root_mass_);
   repeat({s.xx, s.xy, -s.yx, s.yy}, steps);
-  deviation_ = 0.125 * phase * phase * (1.0 + 4.0 * zeta) * (1.0 + 4.0 * zeta) * between_nodes;
+  constexpr double margin = 1.2;
+  deviation_ = 0.125 * phase * phase * (1.0 + 4.0 * zeta) * (1.0 + 4.0 * zeta) * margin;
 }
 
 // The same members say that x is the acceleration: -(0 y + x) (-1).
@@ -108,7 +115,7 @@ void RestTable::tabulate(const GroundNodes& ground, const SceneConstants& c, Roo
                          : roof == RoofKind::coupled_modes ? tabulate_modes_at_rest(n, ground, c)
                                                            : tabulate_axis(n, ground, c);
     tile[n] = tile_maxima(a[n], ground.quiet);
-    coming[n] = suffix_maxima(tile[n], after);
+    coming[n] = suffix_maxima(between_nodes(tile[n], deviation[n]), after);
   }
 }
 
@@ -145,7 +152,8 @@ double RestTable::tabulate_axis(std::size_t n, const GroundNodes& ground,
   a[n] = own_a[n].data();
   const double after = free[n][0].bound(now);
   spring_tile[n] = tile_maxima(x[n].data(), quiet);
-  spring_coming[n] = suffix_maxima(spring_tile[n], after / c.per_mass);
+  spring_coming[n] = suffix_maxima(between_nodes(spring_tile[n], deviation[n], 1.0 / c.per_mass),
+                                   after / c.per_mass);
   return after;
 }
 

@@ -19,9 +19,6 @@ constexpr double most_ring_down_steps = 0x1p20;
 /// Nodes of a tile: what one bound covers.
 constexpr std::size_t tile_nodes = 64;
 
-/// The roof's acceleration between nodes over its largest at a node, at most.
-constexpr double between_nodes = 1.2;
-
 /// A ground motion at its nodes, for all histories under it.
 struct GroundNodes {
   double dt_s = 0.0;
@@ -113,7 +110,7 @@ struct RestTable {
   std::array<std::vector<double>, 2> own_a;  ///< empty: rigid
   std::array<const double*, 2> a{};          ///< acceleration; zeros follow
   std::array<std::vector<double>, 2> tile,
-      coming;  ///< largest |a|: of a tile, of all to come
+      coming;  ///< largest |a|: at the nodes of a tile; of all to come, between nodes too
   std::array<std::vector<double>, 2> spring_tile, spring_coming;  ///< the same of |x|, of one mass
   std::array<std::vector<double>, 2> deviation;  ///< how far it leaves its chord, by tile
   /// By axis, of each state; empty: the roof is known beforehand.
@@ -154,6 +151,9 @@ constexpr std::size_t padding = 2 * tile_nodes;
 inline std::size_t tiles_of(std::size_t last_node) { return last_node / tile_nodes + 1; }
 /// Largest |value| by tile; the node at a tile's end counts for it too.
 std::vector<double> tile_maxima(const double* values, std::size_t last_node);
+/// Largest |value| by tile, between nodes too, of one that leaves its chord by `factor` deviations.
+std::vector<double> between_nodes(std::vector<double> at_nodes,
+                                  const std::vector<double>& deviation, double factor = 1.0);
 /// Of each and all after it, the last followed by `after`.
 std::vector<double> suffix_maxima(std::vector<double> values, double after);
 /// An interval that ends at a tile's first node counts for it too.
