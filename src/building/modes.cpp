@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "glissade/building/modes.hpp"
-
 #include <fmt/format.h>
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <boost/math/quadrature/gauss.hpp>
 #include <cmath>
+#include <functional>
 #include <numbers>
 #include <string>
 
+#include "glissade/building/mode_rules.hpp"
 #include "glissade/core/contract.hpp"
 #include "glissade/core/error.hpp"
 #include "glissade/core/root.hpp"
@@ -141,15 +141,32 @@ std::vector<Mode> with_first_period(std::vector<Mode> modes, double period_s) {
 }
 
 std::vector<Mode> governing_modes(std::span<const Mode> modes) {
-  std::vector<Mode> governing;
+  std::vector<Mode> ranked(modes.begin(), modes.end()), governing;
+  if (ranked.empty()) return governing;
+  std::ranges::stable_sort(ranked.begin() + 1, ranked.end(), std::greater{}, &Mode::mass_share);
   double mass = 0.0;
-  for (const Mode& mode : modes) {
+  for (const Mode& mode : ranked) {
     if (governing.size() == most_modes || mass >= mass_wanted) break;
-    if (!governing.empty() && mode.period_s < shortest_governing_period_s) break;
+    if (!governing.empty() && mode.period_s < shortest_governing_period_s) continue;
     governing.push_back(mode);
     mass += mode.mass_share;
   }
+  std::ranges::stable_sort(governing, std::greater{}, &Mode::period_s);
   return governing;
+}
+
+double shortest_period_s(const Modes& building) {
+  double shortest_s = building.period_s();
+  for (const Mode& mode : building) shortest_s = std::min(shortest_s, mode.period_s);
+  return shortest_s;
+}
+
+std::string unresolved_mode(double period_s, double step_s) {
+  if (period_s >= 2.0 * step_s) return "";
+  return fmt::format(
+      "a mode of the building has a period of {:.3g} s, below twice the time step of {:g} s of a "
+      "record, which does not represent it",
+      period_s, step_s);
 }
 
 double mass_of(std::span<const Mode> modes) {

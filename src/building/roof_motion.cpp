@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "glissade/building/roof_motion.hpp"
-
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numbers>
 
+#include "glissade/building/mode_rules.hpp"
 #include "glissade/building/rigid.hpp"
 #include "glissade/core/contract.hpp"
 #include "glissade/core/finite.hpp"
@@ -19,9 +17,9 @@ namespace {
 constexpr int most_substeps = 1024;
 
 /// Number of substeps of dt for which a period has at least `steps_per_period` of them.
-int substeps(const Oscillator& oscillator, double dt_s, int steps_per_period) {
-  if (is_rigid(oscillator, dt_s)) return 1;
-  const double wanted = std::ceil(steps_per_period * dt_s / oscillator.period_s - 1e-9);
+int substeps(const Modes& building, double dt_s, int steps_per_period) {
+  if (is_rigid(building, dt_s)) return 1;
+  const double wanted = std::ceil(steps_per_period * dt_s / shortest_period_s(building) - 1e-9);
   return static_cast<int>(std::clamp(wanted, 1.0, static_cast<double>(most_substeps)));
 }
 
@@ -59,27 +57,34 @@ double velocity_range(const std::vector<double>& acceleration_mps2, double dt_s)
   return most - least;
 }
 
-std::vector<double> oscillator_response(const Oscillator& oscillator, double dt_s,
-                                        std::span<const double> ground, int parts,
-                                        double quiet_mps2, const RoofMotionOptions& options) {
-  const double phase = 2.0 * std::numbers::pi * dt_s / (parts * oscillator.period_s);
-  const double zeta = oscillator.damping_ratio;
-  const OscillatorStep step = oscillator_step(phase, zeta);
+std::vector<double> response_of_modes(const Modes& building, double dt_s,
+                                      std::span<const double> ground, int parts, double quiet_mps2,
+                                      const RoofMotionOptions& options) {
+  std::vector<OscillatorStep> steps_of_modes;
+  for (const Mode& mode : building)
+    steps_of_modes.push_back(oscillator_step(
+        2.0 * std::numbers::pi * dt_s / (parts * mode.period_s), mode.damping_ratio));
+  std::vector<OscillatorState> states(building.size());
+  const double share = building.is_one_mass() ? 0.0 : building.ground_share();
   const bool rings = quiet_mps2 > 0.0;
 
   std::vector<double> roof;
   roof.reserve((ground.size() + 1) * static_cast<std::size_t>(parts));
-  OscillatorState state;
   const auto advance = [&](double a0, double a1) {
-    state = step.after(state, a0, a1);
-    roof.push_back(-(state.x + 2.0 * zeta * state.y));
+    double a = share * a1;
+    for (std::size_t n = 0; n < building.size(); ++n) {
+      states[n] = steps_of_modes[n].after(states[n], a0, a1);
+      a -=
+          building[n].participation * (states[n].x + 2.0 * building[n].damping_ratio * states[n].y);
+    }
+    roof.push_back(a);
   };
-  roof.push_back(0.0);  // at rest
+  roof.push_back(share * ground.front());  // at rest
   for_each_piece(ground, rings, parts, advance);
   if (rings) {
     const double step_s = dt_s / parts;
     const std::size_t steps = building_detail::ring_down_steps(
-        oscillator, step_s, std::array{state}, velocity_range(roof, step_s), quiet_mps2, options);
+        building, step_s, states, velocity_range(roof, step_s), quiet_mps2, options);
     for (std::size_t left = steps; left > 0; --left) advance(0.0, 0.0);
   }
   return roof;
@@ -95,35 +100,38 @@ double peak(const std::vector<double>& values) {
 
 RoofMotion roof_motion(const GroundMotion& ground, const Building& building,
                        const RoofMotionOptions& options) {
+  return roof_motion(ground, building.horizontal, building.vertical, options);
+}
+
+RoofMotion roof_motion(const GroundMotion& ground, const Modes& horizontal,
+                       const Oscillator& vertical, const RoofMotionOptions& options) {
   require_acceleration(ground.horizontal_mps2, "the ground acceleration");
   require_acceleration(ground.vertical_mps2, "the vertical ground acceleration");
   require_finite({ground.dt_s}, "the step");
   GLISSADE_EXPECTS(ground.dt_s > 0.0 && !ground.horizontal_mps2.empty());
   GLISSADE_EXPECTS(ground.vertical_mps2.empty() ||
                    ground.vertical_mps2.size() == ground.horizontal_mps2.size());
-  const bool vertical = !ground.vertical_mps2.empty();
+  const bool has_vertical = !ground.vertical_mps2.empty();
   const int parts =
-      std::max(substeps(building.horizontal, ground.dt_s, options.steps_per_period),
-               vertical ? substeps(building.vertical, ground.dt_s, options.steps_per_period) : 1);
+      std::max(substeps(horizontal, ground.dt_s, options.steps_per_period),
+               has_vertical ? substeps(vertical, ground.dt_s, options.steps_per_period) : 1);
   building_detail::require_steps(static_cast<double>(ground.horizontal_mps2.size()) * parts,
                                  ground.dt_s / parts);
 
-  const auto response = [&](const Oscillator& oscillator, std::span<const double> input,
-                            double quiet_mps2) {
-    if (is_rigid(oscillator, ground.dt_s)) return rigid_response(input, false, parts);
-    return oscillator_response(oscillator, ground.dt_s, input, parts, quiet_mps2, options);
+  const auto response = [&](const Modes& modes, std::span<const double> input, double quiet_mps2) {
+    if (is_rigid(modes, ground.dt_s)) return rigid_response(input, false, parts);
+    return response_of_modes(modes, ground.dt_s, input, parts, quiet_mps2, options);
   };
   RoofMotion roof;
   roof.dt_s = ground.dt_s / parts;
   roof.horizontal_mps2 =
-      response(building.horizontal, ground.horizontal_mps2, options.quiet_horizontal_mps2);
-  if (vertical)
-    roof.vertical_mps2 =
-        response(building.vertical, ground.vertical_mps2, options.quiet_vertical_mps2);
+      response(horizontal, ground.horizontal_mps2, options.quiet_horizontal_mps2);
+  if (has_vertical)
+    roof.vertical_mps2 = response(vertical, ground.vertical_mps2, options.quiet_vertical_mps2);
   roof.record_samples = (ground.horizontal_mps2.size() - 1) * static_cast<std::size_t>(parts) + 1;
   roof.peak_horizontal_mps2 = peak(roof.horizontal_mps2);
   roof.peak_vertical_mps2 = peak(roof.vertical_mps2);
-  if (vertical && roof.vertical_mps2.size() != roof.horizontal_mps2.size()) {
+  if (has_vertical && roof.vertical_mps2.size() != roof.horizontal_mps2.size()) {
     // The component that ends first goes to zero over one record interval, divided like the others,
     // and remains zero.
     auto& shorter = roof.vertical_mps2.size() < roof.horizontal_mps2.size() ? roof.vertical_mps2

@@ -7,7 +7,7 @@
 #include <optional>
 
 #include "commands.hpp"
-#include "glissade/building/modes.hpp"
+#include "glissade/building/mode_rules.hpp"
 #include "glissade/core/error.hpp"
 #include "glissade/io/mode_file.hpp"
 #include "glissade/io/suite_file.hpp"
@@ -15,6 +15,7 @@
 #include "glissade/motion/improbable.hpp"
 #include "glissade/report/table.hpp"
 #include "glissade/standards/floor_acceleration.hpp"
+#include "glissade/study/cases/probable.hpp"
 #include "shared/put.hpp"
 
 namespace glissade::cli {
@@ -45,14 +46,14 @@ struct BuildingOptions {
   bool json = false;
 };
 
-std::vector<Mode> modes_of(const BuildingOptions& o) {
+ModeFile modes_of(const BuildingOptions& o) {
   if (!o.modes.empty()) {
     ModeFileOptions file{.axis = {}, .roof_shape = o.roof_shape};
     if (!o.axis.empty()) file.axis = o.axis == "x" ? ModeAxis::x : ModeAxis::y;
     return read_modes(o.modes, file);
   }
   if (!o.masses.empty() || !o.stiffnesses.empty())
-    return shear_building_modes(o.masses, o.stiffnesses);
+    return {shear_building_modes(o.masses, o.stiffnesses)};
   if (!(o.period_s > 0.0))
     throw InputError(
         {"--period-s", "no building is stated",
@@ -61,15 +62,13 @@ std::vector<Mode> modes_of(const BuildingOptions& o) {
          ""});
   if (o.storeys) {
     const std::vector<double> equal(*o.storeys, 1.0);
-    return with_first_period(shear_building_modes(equal, equal), o.period_s);
+    return {with_first_period(shear_building_modes(equal, equal), o.period_s)};
   }
   if (!o.alpha)
     throw InputError({"--period-s", "a period alone is no building of several storeys",
-                      "give --storeys, or --alpha: 0 to 2 walls, 5 to 10 walls with frames, 20 to "
-                      "30 frames",
-                      ""});
+                      std::string("give --storeys, or --alpha: ") + usual_alpha, ""});
   constexpr std::size_t enough = 20;
-  return cantilever_modes(o.period_s, *o.alpha, enough);
+  return {cantilever_modes(o.period_s, *o.alpha, enough)};
 }
 
 /// Peak accelerations of the roof under a design spectrum, in g.
@@ -120,13 +119,18 @@ FloorAccelerations roof_acceleration(const std::vector<Mode>& modes,
           asce7_22_floor_acceleration_g(spectrum.sds_g(), period_s)};
 }
 
-std::vector<std::string> warnings_on(const BuildingOptions& o, const std::vector<Mode>& modes) {
-  std::vector<std::string> warnings = improbable_modes(modes);
-  constexpr double shortest_s = 0.01, longest_s = 30.0;
-  const double first_s = modes.front().period_s;
-  if (!(first_s >= shortest_s && first_s < longest_s))
-    warnings.push_back(
-        fmt::format("no building has a first period of {:g} s: check the units", first_s));
+std::vector<std::string> warnings_on(const BuildingOptions& o, const ModeFile& building) {
+  std::vector<std::string> warnings = improbable_modes(building.modes);
+  const Parameter& period = parameters()[parameter_index("building", "period_s")];
+  if (const std::string text = improbable_value(period, building.modes.front().period_s);
+      !text.empty())
+    warnings.push_back(text + (o.masses.empty() ? ""
+                                                : " Masses in t go with stiffnesses in kN/m, "
+                                                  "masses in kg with N/m"));
+  if (building.has_damping && (o.sds_g || !o.spectrum.empty()))
+    warnings.emplace_back(
+        "the design spectrum is of 5 % damping: peak accelerations are not those of the damping in "
+        "the file");
   if (o.sd1_g && *o.sd1_g > 1.5 * *o.sds_g)
     warnings.emplace_back("S_D1 above 1.5 S_DS is no design spectrum of a site");
   return warnings;
@@ -149,8 +153,8 @@ Table modes_table(const std::vector<Mode>& modes, std::size_t all) {
   }
   if (all > modes.size())
     table.notes.push_back(fmt::format(
-        "The first {} of {}: 95 % of the mass, or periods above 0.05 s, at most six. The "
-        "accelerations are of all.",
+        "{} of {}: the first, and those with the largest mass shares, to 95 % of the mass, without "
+        "periods below 0.05 s, at most six. The accelerations are of all.",
         modes.size(), all));
   return table;
 }
@@ -158,8 +162,9 @@ Table modes_table(const std::vector<Mode>& modes, std::size_t all) {
 using Json = nlohmann::ordered_json;
 
 void run(const BuildingOptions& o) {
-  const std::vector<Mode> all = modes_of(o), modes = governing_modes(all);
-  std::vector<std::string> warnings = warnings_on(o, all);
+  const ModeFile building = modes_of(o);
+  const std::vector<Mode>&all = building.modes, modes = governing_modes(all);
+  std::vector<std::string> warnings = warnings_on(o, building);
   std::optional<FloorAccelerations> roof;
   const std::optional<DesignTarget> target = spectrum_of(o);
   double sds_g = 0.0, sd1_g = 0.0;
@@ -174,7 +179,8 @@ void run(const BuildingOptions& o) {
     for (const Mode& mode : all)
       json["modes"].push_back({{"period_s", mode.period_s},
                                {"participation", mode.participation},
-                               {"mass_share", mode.mass_share}});
+                               {"mass_share", mode.mass_share},
+                               {"damping", mode.damping_ratio}});
     if (roof)
       json["peak_roof_acceleration_g"] = {{"modes", roof->by_modes},
                                           {"one_mass", roof->one_mass},
@@ -219,8 +225,7 @@ void add_building(CLI::App& program) {
   CLI::Option* alpha =
       command
           ->add_option("--alpha", o->alpha,
-                       "uniform cantilever of flexure and shear: 0 to 2 walls, 5 to 10 walls with "
-                       "frames, 20 to 30 frames")
+                       std::string("uniform cantilever of flexure and shear: ") + usual_alpha)
           ->check(from_to(0.0, largest_alpha));
   CLI::Option* storeys =
       command->add_option("--storeys", o->storeys, "shear building of so many equal storeys")
@@ -239,7 +244,7 @@ void add_building(CLI::App& program) {
   CLI::Option* modes =
       command
           ->add_option("--modes", o->modes,
-                       "CSV with period_s, participation and mass_share, or what ETABS, SAP 2000 "
+                       "CSV with period_s, participation, mass_share, or what ETABS, SAP 2000 "
                        "or OpenSees export (suites/README.md)")
           ->excludes(alpha)
           ->excludes(storeys)

@@ -4,9 +4,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
+#include <cmath>
 #include <optional>
 
+#include "glissade/building/mode_rules.hpp"
 #include "glissade/core/error.hpp"
 #include "text/csv_rows.hpp"
 #include "text/scan.hpp"
@@ -24,11 +25,17 @@ constexpr const char* add_participation =
 class ModeList {
  public:
   RowTrouble add(const Mode& mode) {
-    if (!(mode.period_s > 0.0)) return {"the period is not above 0"};
+    if (!(mode.period_s > 0.0 && std::isfinite(mode.period_s)))
+      return {"the period is not above 0 and finite"};
     if (!modes_.empty() && mode.period_s > modes_.back().period_s)
       return {"periods must fall from row to row"};
     if (!(mode.mass_share >= 0.0 && mode.mass_share <= 1.0))
-      return {"the mass share is not from 0 to 1"};
+      return {"the mass share is not from 0 to 1", "91 % is 0.91 or \"91 %\""};
+    if (!(std::abs(mode.participation) <= most_participation))
+      return {fmt::format("the participation is not from -{0:g} to {0:g}", most_participation)};
+    if (!(mode.damping_ratio >= 0.0 && mode.damping_ratio <= most_mode_damping))
+      return {fmt::format("the damping is not from 0 to {:g}", most_mode_damping),
+              "5 % is 0.05 or \"5 %\""};
     if (mode.mass_share > 0.0) modes_.push_back(mode);  // or it is of another axis
     return {};
   }
@@ -71,6 +78,17 @@ void check_shapes(const std::filesystem::path& file, const ModeFileOptions& opti
                     ""});
 }
 
+/// A number with a decimal point or comma, and a percent sign where it is a share.
+std::optional<double> number_in(std::string_view cell, bool may_be_percent) {
+  std::string text(cell);
+  const bool is_percent = may_be_percent && text.ends_with('%');
+  if (is_percent) text = std::string(trimmed(std::string_view(text).substr(0, text.size() - 1)));
+  if (std::ranges::count(text, ',') == 1 && text.find('.') == text.npos)
+    std::ranges::replace(text, ',', '.');
+  const std::optional<double> value = parse_number(text);
+  return is_percent && value ? *value / 100.0 : value;
+}
+
 /// Separated by tabs, semicolons or commas, with or without quotes.
 Cells split_cells(std::string_view line) {
   return quoted_cells(line, line.find('\t') != line.npos  ? '\t'
@@ -84,16 +102,20 @@ class ModeTable {
   explicit ModeTable(const ModeFileOptions& options) : options_(options) {}
 
   void take_header(const std::string& where, const Cells& names) {
-    const auto column = [&](std::initializer_list<const char*> known) {
-      const auto found = std::ranges::find_if(names, [&](std::string_view name) {
-        return std::ranges::find(known, lower_case(name)) != known.end();
-      });
-      return found == names.end()
-                 ? std::nullopt
-                 : std::optional<std::size_t>(static_cast<std::size_t>(found - names.begin()));
-    };
     const auto refuse = [&](const std::string& what, const std::string& remedy) {
       throw InputError({where, what, remedy, ""});
+    };
+    const auto column = [&](std::initializer_list<const char*> known) {
+      std::optional<std::size_t> found;
+      for (std::size_t i = 0; i < names.size(); ++i) {
+        if (std::ranges::find(known, lower_case(names[i])) == known.end()) continue;
+        if (found)
+          refuse(fmt::format("has the columns {} and {}, which are the same number",
+                             in_quotes(names[*found]), in_quotes(names[i])),
+                 "leave one of them");
+        found = i;
+      }
+      return found;
     };
     if (column({"modal mass", "modalmass"}))
       refuse("is the table Modal Participation Factors, which has no mass shares",
@@ -107,6 +129,7 @@ class ModeTable {
     participation_ = column({"participation"});
     factor_ = column({"factor"});
     shape_ = column({"roof_shape"});
+    damping_ = column({"damping", "damping_ratio"});
     case_ = column({"case", "outputcase"});
     if (!period_ || !share_)
       refuse(fmt::format("has no column {}", period_ ? "mass_share, or UX and UY" : "period_s"),
@@ -121,10 +144,11 @@ class ModeTable {
     if (rows_ == 0 && (unit == "sec" || unit == "s")) return {};  // the row of units
     if (case_ && rows_ > 0 && cells[*case_] != name_) return {"is of another modal case"};
     if (case_) name_ = cells[*case_];
-    const auto number = [&](const std::optional<std::size_t>& at) {
-      return at ? parse_number(cells[*at]) : std::nullopt;
+    const auto number = [&](const std::optional<std::size_t>& at, bool may_be_percent = false) {
+      return at ? number_in(cells[*at], may_be_percent) : std::nullopt;
     };
-    const std::optional<double> period_s = number(period_), share = number(share_);
+    const std::optional<double> period_s = number(period_), share = number(share_, true),
+                                damping = number(damping_, true);
     std::optional<double> participation = number(participation_);
     if (!participation_) {
       const auto factor = number(factor_),
@@ -132,9 +156,11 @@ class ModeTable {
       if (factor && (shape || !shape_)) participation = *factor * shape.value_or(0.0);
     }
     ++rows_;
-    if (!period_s || !share || !participation) return {"has a cell that is not a number"};
-    return modes.add({*period_s, *participation, *share});
+    if (!period_s || !share || !participation || (damping_ && !damping))
+      return {"has a cell that is not a number"};
+    return modes.add({*period_s, *participation, *share, damping.value_or(Mode().damping_ratio)});
   }
+  bool has_damping() const { return damping_.has_value(); }
   bool uses_roof_shape() const { return !participation_ && !shape_; }
   std::size_t rows() const { return rows_; }
 
@@ -142,7 +168,7 @@ class ModeTable {
 
  private:
   const ModeFileOptions& options_;
-  std::optional<std::size_t> period_, share_, participation_, factor_, shape_, case_;
+  std::optional<std::size_t> period_, share_, participation_, factor_, shape_, damping_, case_;
   std::string name_;
   std::size_t rows_ = 0;
 };
@@ -181,6 +207,12 @@ std::vector<Mode> read_report(const TextFile& file, const ModeFileOptions& optio
   check_axis(file.path, options);
   check_shapes(file.path, options, eigenvalues.size());
   const std::size_t at_axis = *options.axis == ModeAxis::x ? 1 : 2;
+  constexpr std::size_t columns_of_a_plane = 4;  // mode, MX, MY, RMZ
+  if (*options.axis == ModeAxis::y && !factors.empty() &&
+      factors.front().size() == columns_of_a_plane)
+    throw InputError({file.path.string(),
+                      "is of a model of two dimensions, whose y is the vertical", "give --axis x",
+                      ""});
   ModeList modes;
   for (std::size_t n = 0; n < eigenvalues.size(); ++n) {
     if (factors.size() != eigenvalues.size() || shares.size() != eigenvalues.size() ||
@@ -208,9 +240,9 @@ TextFile without_title(TextFile file) {
 
 }  // namespace
 
-std::vector<Mode> read_modes(const std::filesystem::path& path, const ModeFileOptions& options) {
+ModeFile read_modes(const std::filesystem::path& path, const ModeFileOptions& options) {
   const TextFile file = without_title(path);
-  if (file.text.find("EIGENVALUE ANALYSIS") != file.text.npos) return read_report(file, options);
+  if (file.text.find("EIGENVALUE ANALYSIS") != file.text.npos) return {read_report(file, options)};
   ModeTable table(options);
   read_csv(file,
            {.split = split_cells,
@@ -226,7 +258,7 @@ std::vector<Mode> read_modes(const std::filesystem::path& path, const ModeFileOp
   else if (!options.roof_shape.empty())
     throw InputError(
         {"--roof-shape", path.string() + " has the participations itself", "leave it out", ""});
-  return std::move(table.modes).checked(path);
+  return {std::move(table.modes).checked(path), table.has_damping()};
 }
 
 }  // namespace glissade

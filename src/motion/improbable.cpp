@@ -263,11 +263,6 @@ std::string improbable_mass_ratio(double largest) {
       "the array has {:.2g} times the mass of the building: are the weights in one unit?", largest);
 }
 
-std::string improbable_period(double longest_s) {
-  if (longest_s <= longest_probable_period_s) return "";
-  return fmt::format("a building period of {:g} s is longer than that of any building", longest_s);
-}
-
 std::string improbable_damping(double damping) {
   constexpr double most = 0.2;  // recalled: buildings have 0.01 to 0.1
   if (damping == 0.0) return "the building has no damping (damping = 0)";

@@ -16,7 +16,7 @@ void expect_building_refused(const std::vector<std::string>& options, const std:
   expect_refused(run_program(with({"building"}, options)), {what});
 }
 
-TEST(Building, of_walls_with_frames_amplifies_more_than_one_mass) {
+TEST(Building, of_a_frame_amplifies_more_than_one_mass) {
   // Period 0.6 s on the plateau: SRSS of the participations of its modes, and 1 less their sum
   // for what moves with the ground, S_a(0) = 0.4 S_DS.
   const Json json =
@@ -107,6 +107,7 @@ TEST(Building, takes_the_tables_of_etabs_and_sap_2000_and_the_report_of_opensees
   };
   refused({files[0]}, "--axis x or --axis y");
   refused({files[2], "--axis", "x"}, "--roof-shape");
+  refused({files[2], "--axis", "y", "--roof-shape", "1", "1", "1"}, "is the vertical");
   refused({files[2], "--axis", "x", "--roof-shape", "1", "2"}, "has 3 modes");
   refused({files[0], "--axis", "x", "--roof-shape", "1", "2", "3"}, "leave it out");
   const std::string bare = folder.write("bare.csv", "Case,Mode,Period,UX,UY\nModal,1,0.5,0.91,0\n");
@@ -156,9 +157,38 @@ TEST(Building, refuses_what_is_none_and_warns_of_missing_modes) {
   refused({"--modes", modes("0.5,1.2,0.8\n0.6,0.2,0.1\n")}, "periods must fall");
   refused({"--modes", modes("0.5,1.2,0.8\n0.2,-0.2,0.3\n")}, "more than 1");
   refused({"--modes", modes("0,1.2,0.8\n")}, "not above 0");
+  refused({"--modes", modes("inf,1.2,0.8\n")}, "not above 0");
+  for (const char* participation : {"nan", "inf", "1e308"})
+    refused({"--modes", modes("0.5," + std::string(participation) + ",0.9\n")}, "participation");
+  refused(
+      {"--modes", folder.write("t.csv", "period_s,participation,mass_share,Period\n0.5,1,1,2\n")},
+      "the same number");
+  refused(
+      {"--modes", folder.write("p.csv", "period_s,participation,mass_share,damping\n0.5,1,1,5\n")},
+      "5 %");
   refused({"--modes", folder.write("n.csv", "period_s,participation\n0.5,1\n")}, "mass_share");
   const Json few = building_json({"--modes", modes("0.5,1.6,0.6\n")});
   EXPECT_EQ(few.at("warnings").size(), 2u);
+  // 120 t on 9e4 kN/m: 0.23 s. In kg with kN/m 7.3 s is possible; 900 kN/m make it 73 s.
+  const auto warnings = [](const char* mass, const char* stiffness) {
+    return building_json({"--masses", mass, "--stiffnesses", stiffness}).at("warnings");
+  };
+  EXPECT_TRUE(warnings("120", "9e4").empty());
+  for (const auto& [mass, stiffness] : {std::pair{"120", "9e7"}, {"120e3", "900"}})
+    EXPECT_THAT(warnings(mass, stiffness).at(0).get<std::string>(), states("kN/m", "N/m"));
+}
+
+TEST(Building, reads_modes_with_decimal_commas_percent_and_their_damping) {
+  const ScratchFolder folder;
+  const Json json =
+      building_json({"--modes", folder.write("m.csv",
+                                             "period_s;participation;mass_share;damping\n"
+                                             "0,5;1,22;91 %;2 %\n0,18;-0,28;0,07;0,03\n")});
+  EXPECT_EQ(json.at("modes").at(0).at("period_s"), 0.5);
+  EXPECT_EQ(json.at("modes").at(0).at("participation"), 1.22);
+  EXPECT_NEAR(json.at("modes").at(0).at("mass_share"), 0.91, 1e-15);
+  EXPECT_EQ(json.at("modes").at(0).at("damping"), 0.02);
+  EXPECT_EQ(json.at("modes").at(1).at("damping"), 0.03);
 }
 
 }  // namespace

@@ -77,8 +77,8 @@ class Modes {
 inline constexpr double largest_alpha = 500.0;
 
 /// A uniform cantilever of flexure and shear (Miranda & Taghavi 2005, J. Struct. Eng. 131(2):
-/// 203-211): `alpha`, their alpha_0, is 0 for flexure alone, 0 to 2 for walls, 5 to 10 for walls
-/// with frames, 20 to 30 for frames. The array is at its top. Accurate to 1e-12 of the periods and
+/// 203-211): `alpha`, their alpha_0, is 0 for flexure alone (usual ones: mode_rules.hpp). The array
+/// is at its top. Accurate to 1e-12 of the periods and
 /// 2e-8 of the other numbers, for alpha to 30 (modes_test).
 /// @param period_s of the first mode, > 0
 /// @param alpha from 0 to largest_alpha
@@ -97,8 +97,8 @@ std::vector<Mode> with_first_period(std::vector<Mode> modes, double period_s);
 /// Modes after the first of shorter periods are not governing.
 inline constexpr double shortest_governing_period_s = 0.05;
 
-/// As many of them as carry 95 % of the mass, without those below 0.05 s after the first, at most
-/// six. Modes that are left out move with the ground.
+/// The first, and those with the largest mass shares: to 95 % of the mass, without periods below
+/// 0.05 s, at most six, the longest first. Modes that are left out move with the ground.
 std::vector<Mode> governing_modes(std::span<const Mode> modes);
 
 /// Sum of the mass shares.

@@ -57,7 +57,6 @@ bool takes_exception_2(const DesignTarget& target);
 std::string gaps_between(const std::vector<double>& periods_s);
 /// Of a roof no part of which is steeper.
 std::string improbable_slope(double steepest_deg);
-std::string improbable_period(double longest_s);
 std::string improbable_mass_ratio(double largest);
 std::string improbable_damping(double damping);
 std::string improbable_design_life(double years);

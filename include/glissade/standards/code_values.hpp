@@ -28,18 +28,18 @@ struct StructuralSystem {
   double ct;         ///< with the height in feet
   double exponent;
   Provenance provenance;
-  /// Shear-to-flexure parameter of a uniform cantilever with such a system: frames 20 to 30, frames
-  /// with walls or braces 5 to 10, walls and what is not known 0 to 2 (Miranda & Taghavi 2005,
-  /// recalled: verify).
+  /// Shear-to-flexure parameter of a uniform cantilever with such a system: moment frames 5 to 20,
+  /// braced frames and walls with frames 1.5 to 6, walls and what is not known 0 to 2 (Miranda &
+  /// Taghavi 2005, recalled: verify).
   double least_alpha, most_alpha;
 };
 inline constexpr std::array<StructuralSystem, 4> structural_systems{
-    {{"steel_moment_frame", "steel moment-resisting frame", 0.028, 0.8, Provenance::recalled, 20,
-      30},
+    {{"steel_moment_frame", "steel moment-resisting frame", 0.028, 0.8, Provenance::recalled, 5,
+      20},
      {"concrete_moment_frame", "concrete moment-resisting frame", 0.016, 0.9, Provenance::recalled,
-      20, 30},
+      5, 20},
      {"eccentrically_braced_frame", "eccentrically or buckling-restrained braced steel frame", 0.03,
-      0.75, Provenance::recalled, 5, 10},
+      0.75, Provenance::recalled, 1.5, 6},
      {"other", "all other structural systems", 0.02, 0.75, Provenance::checked, 0, 2}}};
 
 /// Equation 12.8-7: T_a = C_t h^x in s. Valid for height_m > 0.

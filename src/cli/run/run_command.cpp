@@ -21,7 +21,7 @@
 #include "glissade/report/summary.hpp"
 #include "glissade/report/tables.hpp"
 #include "glissade/report/write_report.hpp"
-#include "glissade/study/plan/plan.hpp"
+#include "glissade/study/plan/history_cost.hpp"
 #include "glissade/study/run/reduce.hpp"
 #include "run/run_folder.hpp"
 #include "run/run_record.hpp"
@@ -172,7 +172,8 @@ void read_earlier_units(const char* how, const fs::path& out, const RunIdentity&
 /// What would run, what it would cost, and whether its folder is free; if not, that is an error.
 void check_study(const Plan& plan, const fs::path& out, bool overwrite) {
   put("{}", to_string(plan));
-  put("time        roughly {:.0f} s on one core\n", std::ceil(plan.predicted_seconds()));
+  put("time        roughly {:.0f} s on one core, and {:.0f} s of fits\n",
+      std::ceil(plan.predicted_seconds()), std::ceil(predicted_fit_seconds(plan)));
   put("results     about {:.1f} MB of histories before compression in results.h5; as much in\n"
       "            the journals until then, and in the first rank's memory, or on the disk\n"
       "            where memory is short\n",

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
 
-#include <array>
 #include <cmath>
 #include <cstring>
 #include <nlohmann/json.hpp>
@@ -18,6 +17,7 @@
 #include "glissade/motion/intensity.hpp"
 #include "glissade/motion/peak_names.hpp"
 #include "glissade/sampling/pull_test.hpp"
+#include "glissade/study/cases/probable.hpp"
 #include "glissade/study/plan/one_mass.hpp"
 #include "shared/finding.hpp"
 #include "shared/option_errors.hpp"
@@ -122,12 +122,13 @@ std::vector<std::string> warnings_on(const SlideOptions& o, const Motion& motion
     warnings.push_back(
         fmt::format("a {} of {:.3g} g, with its factor, is above {:g} g: no recorded motion has it",
                     peak_names(o.of_roof).acceleration, pga_g, most_probable_pga_g));
-  for (std::string& text :
-       std::array{improbable_friction("a friction", o.c.friction), improbable_period(o.c.period_s)})
+  std::vector<std::string> texts{improbable_friction("a friction", o.c.friction)};
+  for (const Parameter& p : parameters()) texts.push_back(improbable_value(p, value_of(p, o.c)));
+  for (std::string& text : texts)
     if (!text.empty()) warnings.push_back(std::move(text));
-  if (o.building().is_one_mass())
+  if (o.building.is_one_mass())
     if (std::string text = one_mass_sentence(std::nullopt, o.c.period_s); !text.empty())
-      warnings.push_back(text + ": give --alpha");
+      warnings.push_back(text + ": give --alpha, --storeys or --modes");
   return warnings;
 }
 
@@ -193,7 +194,7 @@ Json to_json(const SlideOptions& o, const SlideHistory& h, const ReadMotion& rea
                {"damping", o.c.damping},
                {"vertical", !motion.vertical_mps2.empty()},
                {"method", o.method}});
-  if (!o.building().is_one_mass()) json["alpha"] = o.c.alpha;
+  if (o.building.kind == BuildingModel::Kind::cantilever) json["alpha"] = o.c.alpha;
   if (h.ppa_g) json["ppa_g"] = *h.ppa_g;
   if (o.two_axes()) {
     json["mu_across"] = o.c.friction_across;
@@ -299,6 +300,7 @@ void run(SlideOptions& o) {
   check(o);
   const ReadMotion read = of_suite ? *std::move(of_suite) : read_motion(o);
   const Motion& motion = read.motion;
+  check_step(o, motion.dt_s);
   const double pga = peak_ground_acceleration_mps2(motion.horizontal_mps2[0]);
   if (o.pga_g && pga == 0.0)
     throw InputError(

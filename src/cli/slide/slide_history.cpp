@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "slide/slide_history.hpp"
 
+#include <fmt/format.h>
+
 #include <cmath>
 #include <limits>
 
 #include "glissade/block/coupled.hpp"
 #include "glissade/block/rodriguez_nikl.hpp"
 #include "glissade/block/tipping.hpp"
+#include "glissade/building/mode_rules.hpp"
 #include "glissade/core/error.hpp"
 #include "glissade/core/file.hpp"
 #include "glissade/report/table.hpp"
@@ -95,14 +98,14 @@ void write_plane_history(const std::string& file, const Motion& motion, double f
 }
 
 /// The factor on the record at which the body begins to rock on its base; infinity: never.
-double tipping_scale(const GroundMotion& ground, const Building& building, const Block& block,
-                     const RigidBase& base, double scale) {
+double tipping_scale(const GroundMotion& ground, const Modes& building, const Oscillator& vertical,
+                     const Block& block, const RigidBase& base, double scale) {
   const Block rocking = rocking_block(block, base);
   if (block.friction.along <= rocking.friction.along)
     return std::numeric_limits<double>::infinity();
   const auto followed_up_to = [&](double largest_scale) {
     const RoofMotion roof =
-        roof_motion(ground, building, follow_roof({&rocking, 1}, largest_scale));
+        roof_motion(ground, building, vertical, follow_roof({&rocking, 1}, largest_scale));
     return tipping_onset_factor(
         RoofAcceleration{roof.dt_s, roof.horizontal_mps2, roof.vertical_mps2}, block, base);
   };
@@ -115,23 +118,31 @@ double tipping_scale(const GroundMotion& ground, const Building& building, const
 SlideHistory on_known_roof(const SlideOptions& o, const Motion& motion, double factor) {
   const Block block = block_of(o);
   const GroundMotion ground = ground_of(motion);
-  const Building building{{o.c.period_s, o.c.damping},
-                          {o.c.vertical_period_s, o.c.vertical_damping}};
+  const Modes building = building_axes(o.c, o.building)[0];
+  const Oscillator vertical{o.c.vertical_period_s, o.c.vertical_damping};
   RoofMotionOptions follow = follow_roof({&block, 1}, factor);
   // Straight lines between so many samples of a period leave 1e-7 of the slip. A history, which has
   // a row for each, and a very long record are sampled as roof_motion() does by itself.
   constexpr double fine = 8000.0, most_samples = 1e7;
+  const double shortest_s = shortest_period_s(building);
   const double periods =
-      o.c.period_s > 0.0
-          ? ground.dt_s * static_cast<double>(ground.horizontal_mps2.size()) / o.c.period_s
+      shortest_s > 0.0
+          ? ground.dt_s * static_cast<double>(ground.horizontal_mps2.size()) / shortest_s
           : 0.0;
   if (o.history.empty() && fine * periods < most_samples)
     follow.steps_per_period = static_cast<int>(fine);
-  const RoofMotion roof_table = roof_motion(ground, building, follow);
+  const RoofMotion roof_table = roof_motion(ground, building, vertical, follow);
   const RoofAcceleration roof = excitation_of(block, roof_table, {factor, factor});
 
   SlideHistory h;
   if (o.method != "event") {
+    constexpr double most_steps = 5e9;  // some ten seconds
+    const double steps =
+        static_cast<double>(o.substeps()) * static_cast<double>(roof_table.horizontal_mps2.size());
+    if (steps > most_steps)
+      throw InputError({"--substeps",
+                        fmt::format("makes {:.2g} steps, more than {:g}", steps, most_steps),
+                        "give fewer: the published scheme has 64", ""});
     h.slip = slide_rodriguez_nikl(roof, block, o.substeps());
   } else if (o.history.empty()) {
     h.slip = slide(roof, block);
@@ -143,7 +154,8 @@ SlideHistory on_known_roof(const SlideOptions& o, const Motion& motion, double f
   if (o.clearance_m) slide(roof, block, {&*o.clearance_m, 1}, {&h.crossing.emplace(), 1});
   h.ppa_g = factor * roof_table.peak_horizontal_mps2 / standard_gravity_mps2;
   if (o.cm_height_m) {
-    h.tips_at = tipping_scale(ground, building, block, {*o.cm_height_m, *o.base_width_m}, factor);
+    h.tips_at =
+        tipping_scale(ground, building, vertical, block, {*o.cm_height_m, *o.base_width_m}, factor);
   }
   return h;
 }
@@ -189,7 +201,7 @@ SlideHistory on_coupled_building(const SlideOptions& o, const Motion& motion, do
 /// Two axes, several modes, or a law of friction that only the full model has.
 SlideHistory in_full_model(const SlideOptions& o, const Motion& motion, double factor) {
   const Block block = block_of(o);
-  const BiaxialBuilding building = biaxial_building(o.c, o.building(), nullptr);
+  const BiaxialBuilding building = biaxial_building(o.c, o.building, nullptr);
   check_coupling(coupling_is_regular(block, building));
   Block weakest = block;
   weakest.friction = std::min(block.friction.along, block.friction.across);
@@ -229,7 +241,8 @@ std::string model_of(const SlideOptions& o) {
     case Kernel::full:
       break;
   }
-  return "full model: two axes, coupled, error-controlled (slide_on_building)";
+  return fmt::format("full model: {}, coupled, error-controlled (slide_on_building)",
+                     o.two_axes() ? "two axes" : "one axis");
 }
 
 SlideHistory run_history(const SlideOptions& o, const Motion& motion, double factor) {

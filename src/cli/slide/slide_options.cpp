@@ -4,11 +4,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <filesystem>
 #include <string_view>
 
+#include "glissade/building/mode_rules.hpp"
 #include "glissade/core/error.hpp"
+#include "glissade/io/mode_file.hpp"
 #include "glissade/io/record_file.hpp"
 #include "glissade/study/cases/case_scene.hpp"
 #include "shared/output_rule.hpp"
@@ -54,6 +57,76 @@ void take_case(SlideOptions& o, ProblemList& problems) {
     p.of(o.c) = *o.given[i];
   }
   if (!o.given[parameter_index("friction", "across_mu")]) o.c.friction_across = o.c.friction;
+}
+
+/// The governing modes of a file, their periods over the first, which goes to `first_s`.
+std::vector<Mode> modes_of(const std::string& name, std::optional<ModeAxis> axis, double& first_s,
+                           bool& have_damping) {
+  const ModeFile file = read_modes(name, {.axis = axis});
+  const std::vector<Mode> modes = governing_modes(file.modes);
+  first_s = modes.front().period_s;
+  have_damping = file.has_damping;
+  return with_first_period(modes, 1.0);
+}
+
+void take_modes(SlideOptions& o, ProblemList& problems) {
+  const auto given = [&](const char* key) {
+    return o.given[parameter_index("building", key)].has_value();
+  };
+  std::optional<ModeAxis> axis, other;
+  if (!o.axis.empty()) {
+    axis = o.axis == "x" ? ModeAxis::x : ModeAxis::y;
+    other = o.axis == "x" ? ModeAxis::y : ModeAxis::x;
+  }
+  double first_s = 0.0, across_s = 0.0;
+  bool across_have_damping = false;
+  o.building.modes[0] = modes_of(o.modes, axis, first_s, o.building.has_own_damping);
+  o.building.modes[1] = o.building.modes[0];
+  if (!given("period_s")) o.c.period_s = first_s;
+  if (!o.modes_across.empty()) {
+    o.building.modes[1] = modes_of(o.modes_across, other, across_s, across_have_damping);
+    if (!given("period_ratio")) o.c.period_ratio = across_s / first_s;
+    if (across_have_damping != o.building.has_own_damping)
+      problems.add({"--modes-across", "only one of the files of modes has damping",
+                    "give it in both, or in none", ""});
+  }
+  if (o.building.has_own_damping && given("damping"))
+    problems.add({"--damping", o.modes + " has the damping of each mode", "leave it out", ""});
+}
+
+/// The building of several modes that is stated, if one is.
+void take_building(SlideOptions& o, ProblemList& problems) {
+  using Kind = BuildingModel::Kind;
+  const bool is_cantilever = o.given[parameter_index("building", "alpha")].has_value();
+  const bool has_storeys = o.storeys || !o.storey_masses.empty() || !o.storey_stiffnesses.empty();
+  if (is_cantilever + has_storeys + !o.modes.empty() > 1)
+    problems.add({has_storeys ? "--storeys" : "--modes", "the building is stated in two ways",
+                  "give one of --alpha, --storeys and --modes", ""});
+  if (!o.modes_across.empty() && !(o.two_axes() && !o.modes.empty()))
+    problems.add(
+        {"--modes-across", "needs --modes and --second", "leave it out, or give them", ""});
+  problems.throw_if_any();
+  if (is_cantilever) {
+    o.building.kind = Kind::cantilever;
+  } else if (has_storeys) {
+    o.building.kind = Kind::storeys;
+    const std::size_t count =
+        o.storeys.value_or(std::max(o.storey_masses.size(), o.storey_stiffnesses.size()));
+    if (o.storey_masses.empty()) o.storey_masses.assign(count, 1.0);
+    if (o.storey_stiffnesses.empty()) o.storey_stiffnesses.assign(count, 1.0);
+    if (o.storey_masses.size() != count || o.storey_stiffnesses.size() != count)
+      problems.add({"--storeys", "masses or stiffnesses are not as many as the storeys",
+                    "give one for each storey, from the ground up", ""});
+    problems.throw_if_any();
+    o.building.modes[0] = o.building.modes[1] =
+        with_first_period(shear_building_modes(o.storey_masses, o.storey_stiffnesses), 1.0);
+    if (!(o.c.period_s > 0.0))
+      problems.add({"--storeys", "the building has no period",
+                    "give --period-s, its first period, above 0", ""});
+  } else if (!o.modes.empty()) {
+    o.building.kind = Kind::modes;
+    take_modes(o, problems);
+  }
 }
 
 /// No oscillator is between ground and array, and friction is Coulomb's.
@@ -117,28 +190,23 @@ void check_model(const SlideOptions& o, ProblemList& problems) {
   needs(o.given_substeps.has_value(), "--substeps", o.method != "event",
         "needs --method rodriguez-nikl");
 
-  if (o.c.yields() && !o.building().is_one_mass())
-    problems.add({"--alpha", "a building of several modes stays elastic here",
-                  "leave out --yield-coefficient: only one mass yields", ""});
+  if (o.c.yields() && !o.building.is_one_mass())
+    problems.add({"--yield-coefficient", "a building of several modes stays elastic here",
+                  "leave it out: only one mass yields", ""});
 
-  const Kernel kernel = kernel_for(o).kernel;
-  if (kernel == Kernel::tables) return;
-  const auto refuse = [&](bool given, const char* option) {
-    if (given) {
-      problems.add(
-          {option,
-           "needs one axis, Coulomb friction and a linear building of one mass that is not "
-           "coupled with the array",
-           "leave it out", ""});
-    }
+  const KernelChoice chosen = kernel_for(o);
+  if (chosen.kernel == Kernel::tables) return;
+  const auto refuse = [&](bool given, const char* option, const char* what) {
+    if (given) problems.add({option, what + ("; here " + chosen.reason), "leave it out", ""});
   };
-  refuse(o.method != "event", "--method");
-  refuse(o.cm_height_m.has_value(), "--centre-of-mass-height-m");
-  if (kernel == Kernel::full) {
-    if (!o.history.empty() && !(o.two_axes() && has_rigid_roof(o.c)))
-      problems.add({"--history", "needs one axis, or two on a rigid roof, and Coulomb friction",
-                    "leave it out, or give the motion of the roof without --period-s", ""});
-    refuse(o.one_way, "--one-way");
+  constexpr auto uncoupled =
+      "needs one axis, Coulomb friction and a linear building that is not coupled with the array";
+  refuse(o.method != "event", "--method", uncoupled);
+  refuse(o.cm_height_m.has_value(), "--centre-of-mass-height-m", uncoupled);
+  if (chosen.kernel == Kernel::full) {
+    refuse(!o.history.empty() && !(o.two_axes() && has_rigid_roof(o.c)), "--history",
+           "needs one axis, or two on a rigid roof, and Coulomb friction");
+    refuse(o.one_way, "--one-way", uncoupled);
   }
 }
 
@@ -148,19 +216,26 @@ bool names_motion(const SlideOptions& o) {
   return std::filesystem::path(split_address(o.record).file).extension() == ".toml";
 }
 
-BuildingModel SlideOptions::building() const {
-  using Kind = BuildingModel::Kind;
-  return {given[parameter_index("building", "alpha")] ? Kind::cantilever : Kind::one_mass};
-}
-
 KernelChoice kernel_for(const SlideOptions& o) {
-  if (!o.building().is_one_mass()) return {Kernel::full, "the building has several modes"};
   StudyConfig config;
   config.model.axes = o.two_axes() ? SlidingAxes::two : SlidingAxes::one;
   for (std::size_t i = 0; i < parameters().size(); ++i)
     config.quantities[i] = {{value_of(parameters()[i], o.c)}, {}};
   config.vertical = {o.vertical.empty() ? VerticalChoice::none : VerticalChoice::required};
-  return cheapest_exact_kernel(config);
+  const KernelChoice chosen = cheapest_exact_kernel(config);
+  if (chosen.kernel == Kernel::coupled && !o.building.is_one_mass())
+    return {Kernel::full, "the building has several modes and is coupled with the array"};
+  return chosen;
+}
+
+void check_step(const SlideOptions& o, double step_s) {
+  if (o.building.is_one_mass()) return;
+  const std::array<Modes, 2> axes = building_axes(o.c, o.building);
+  const double shortest_s =
+      std::min(shortest_period_s(axes[0]), shortest_period_s(axes[o.two_axes() ? 1 : 0]));
+  if (const std::string text = unresolved_mode(shortest_s, step_s); !text.empty())
+    throw InputError(
+        {o.record, text, "leave that mode out, or give a record of shorter steps", ""});
 }
 
 void check(SlideOptions& o) {
@@ -170,6 +245,7 @@ void check(SlideOptions& o) {
       problems.add({option, fmt::format("{:g} {}", value, rule), "", ""});
   };
   take_case(o, problems);
+  take_building(o, problems);
   for (const auto& [option, value] : {std::pair{"--scale", o.scale},
                                       {"--pga-g", o.pga_g},
                                       {"--dt-s", o.dt_s},
@@ -227,6 +303,21 @@ void add_options(CLI::App& command, SlideOptions& o) {
     if (is_option(p) && command.get_option_no_throw(option_of(p)) == nullptr)
       command.add_option(option_of(p), o.given[i], meaning_of(p));
   }
+  command
+      .add_option("--storeys", o.storeys,
+                  "the building is a shear building of so many equal storeys, with the first "
+                  "period --period-s")
+      ->check(CLI::Range(std::size_t{1}, std::size_t{200}));
+  command.add_option("--storey-masses", o.storey_masses,
+                     "masses of its floors from the ground up; only their ratios count");
+  command.add_option("--storey-stiffnesses", o.storey_stiffnesses,
+                     "stiffnesses of its storeys, likewise");
+  command.add_option("--modes", o.modes,
+                     "the building's modes along its first axis: CSV with period_s, participation, "
+                     "mass_share and, where wanted, damping, as of `glissade building`");
+  command.add_option("--modes-across", o.modes_across, "with --second: along its second axis");
+  command.add_option("--axis", o.axis, "of an exported table of modes: x or y is the first axis")
+      ->check(CLI::IsMember({"x", "y"}));
   CLI::Option* scale = command.add_option("--scale", o.scale, "factor on all components [1]");
   command.add_option("--pga-g", o.pga_g, "scale so that the horizontal peaks at this")
       ->excludes(scale);

@@ -20,9 +20,12 @@ struct SlideOptions {
   bool one_way = false, json = false, overwrite = false;
   bool of_roof = false;  ///< the motion is that of the roof: nothing is between it and the array
 
+  std::string modes, modes_across, axis;  ///< files of modes; of an exported one along the first
+  std::optional<std::size_t> storeys;
+  std::vector<double> storey_masses, storey_stiffnesses;
+  BuildingModel building;  ///< as [building] of a study makes it of these
+
   bool two_axes() const { return !second.empty(); }
-  /// One mass, or with --alpha the modes of a cantilever.
-  BuildingModel building() const;
   int substeps() const { return given_substeps.value_or(64); }
 };
 
@@ -34,6 +37,9 @@ void add_options(CLI::App& command, SlideOptions& options);
 /// Makes the case; throws InputError with everything in which the options break a rule or each
 /// other.
 void check(SlideOptions& options);
+
+/// Throws InputError where a record of this step does not represent a mode of the building.
+void check_step(const SlideOptions& options, double step_s);
 
 /// The cheapest kernel that is exact for the options.
 KernelChoice kernel_for(const SlideOptions& options);

@@ -2,11 +2,25 @@
 #include "analysis/in_files.hpp"
 
 namespace glissade {
+namespace {
+
+/// Each has its fits, intervals and curves.
+void check_thresholds(const TomlTable& root, StudyConfig& study) {
+  constexpr std::size_t most = 200;
+  const std::size_t count = study.fragility ? study.fragility->thresholds_m.size() : 0;
+  if (count > most)
+    root.table("fragility")
+        .report("thresholds_m", fmt::format("fragility.thresholds_m has {} clearances", count),
+                fmt::format("give {} at most: their curves cannot be told apart", most));
+}
+
+}  // namespace
 
 AnalysisInFiles FragilityAnalysis::in_files() {
   constexpr auto fragility = &StudyConfig::fragility;
   return {
       .table = "fragility",
+      .read = check_thresholds,
       .keys = {{"thresholds_m", reads<fragility, &FragilityConfig::thresholds_m>(above_zero),
                 "clearances, m: probability that displacement exceeds each"},
                {"stop_at_largest",

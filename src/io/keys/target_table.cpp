@@ -37,9 +37,8 @@ void read_site_classes(const TomlTable& table, DesignTarget& target) {
     target.site_classes = {*one};
   }
   if (const auto many = table.choices<SiteClass>("site_classes", classes)) {
-    if (many->empty() && table.texts("site_classes")->empty()) {
+    if (table.is_empty_array("site_classes"))
       table.report("site_classes", "site_classes is empty", "name at least one of A, B, C, D, E");
-    }
     target.site_classes = *many;
   }
 }

@@ -83,10 +83,10 @@ std::vector<KeyTable<Project>> make_tables_of_project() {
         {"storeys", "2", in_example,
          "above ground: a condition of the standard; from two on the building is computed by "
          "modes"},
-        {"alpha", "[20, 30]", alternative,
-         "of a uniform cantilever of flexure and shear, one value or a range; usual by system: "
-         "frames "
-         "20 to 30, braced frames 5 to 10, other and not stated 0 to 2; needs two storeys or more"},
+        {"alpha", "[5, 20]", alternative,
+         "of a uniform cantilever of flexure and shear, one value or a range; usual by system "
+         "(recalled): moment frames 5 to 20, braced frames 1.5 to 6, other and not stated 0 to 2; "
+         "needs two storeys or more"},
         {"mass_ratio", "[0.02, 0.1]", required,
          "the array's mass, ballast included, over that of the building, one value or a range"},
         {"array_weight_kn", "\"60 kip\"", alternative,

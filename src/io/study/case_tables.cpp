@@ -7,6 +7,7 @@
 #include <bit>
 
 #include "enum_names.hpp"
+#include "glissade/building/mode_rules.hpp"
 #include "keys/quantity_table.hpp"
 
 namespace glissade {
@@ -38,7 +39,11 @@ void check_strength(const TomlTable& table, const StudyConfig& study) {
 }
 
 constexpr NumberRule above_zero_share{"above 0 and at most 1",
-                                      [](double x) { return x > 0.0 && x <= 1.0; }};
+                                      [](double x) { return x > 0.0 && x <= 1.0; }},
+    participation_rule{"from -100 to 100",
+                       [](double x) { return std::abs(x) <= most_participation; }},
+    mode_damping_rule{"from 0 to 0.999",
+                      [](double x) { return x >= 0.0 && x <= most_mode_damping; }, "5 % is 0.05"};
 
 /// The modes of the engineer's own model along an axis, their periods over the first.
 /// @return the first period
@@ -47,9 +52,10 @@ double read_modes(const TomlTable& building, const char* key, std::vector<Mode>&
   double first_s = 0.0;
   std::size_t with_damping = 0;
   for (const TomlTable& row : building.tables(key)) {
-    Mode mode{row.required_number("period_s", above_zero), row.required_number("participation"),
+    Mode mode{row.required_number("period_s", above_zero),
+              row.required_number("participation", participation_rule),
               row.required_number("mass_share", above_zero_share)};
-    if (const auto damping = row.number("damping", not_negative)) {
+    if (const auto damping = row.number("damping", mode_damping_rule)) {
       mode.damping_ratio = *damping;
       ++with_damping;
     }
@@ -59,7 +65,7 @@ double read_modes(const TomlTable& building, const char* key, std::vector<Mode>&
                  "list the modes of one axis, the longest period first");
     modes.push_back(mode);
   }
-  if (modes.empty())
+  if (building.is_empty_array(key))
     building.report(key, building.name_of(key) + " is empty", "give one mode at least");
   if (modes.size() > most_modes)
     building.report(key, building.name_of(key) + " has " + std::to_string(modes.size()) + " modes",

@@ -109,7 +109,7 @@ void read_suites(const TomlTable& table, StudyConfig& study) {
     names = {table.required_text("file", "several suites are suite.files = [...]")};
   } else {
     names = table.texts(key).value_or(names);
-    if (names.empty())
+    if (table.is_empty_array(key))
       table.report(key, fmt::format("suite.{} is empty", key), "name at least one suite");
   }
   study.by_stripes = table.has("stripes");
@@ -122,7 +122,7 @@ void read_suites(const TomlTable& table, StudyConfig& study) {
   }
   study.normalise_by_pgv = table.choice<bool>("normalise", {{"pgv", true}}).value_or(false);
   study.records = table.texts("records").value_or(study.records);
-  if (table.is_array("records") && study.records.empty())
+  if (table.is_empty_array("records"))
     table.report("records", "suite.records is empty", "name at least one record, or leave it out");
 }
 

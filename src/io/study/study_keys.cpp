@@ -168,7 +168,13 @@ std::vector<StudyTable> tables_of_cases() {
              "(theory.md, 2.5): participation at the array, effective modal mass over the "
              "building's, damping if not building.damping. period_s and period_ratio scale the "
              "periods"},
-            {"modes_across", modes, "modes", "the same along the second axis"}})},
+            {"modes_across",
+             modes,
+             "modes",
+             "the same along the second axis",
+             {{"building.modes",
+               [](auto& root, auto&) { return root.table("building").has("modes"); }},
+              needs_two_axes}}})},
       {"vertical", quantities_of("vertical", {{"use", reads<&StudyConfig::vertical>(vertical_names),
                                                "whether the vertical ground motion acts"}})},
       {"friction",

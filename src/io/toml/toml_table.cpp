@@ -345,6 +345,11 @@ bool TomlTable::is_array(std::string_view key) const {
   return node != nullptr && node->is_array();
 }
 
+bool TomlTable::is_empty_array(std::string_view key) const {
+  const toml::node* node = find(*document_, node_, path_, key);
+  return node != nullptr && node->is_array() && node->as_array()->empty();
+}
+
 bool TomlTable::is_number(std::string_view key) const {
   const toml::node* node = find(*document_, node_, path_, key);
   return node != nullptr && node->is_number();

@@ -100,7 +100,8 @@ class TomlTable {
   bool has(std::string_view key) const;
   bool is_table(std::string_view key) const;  ///< the key is there and holds a table
   bool is_array(std::string_view key) const;
-  bool is_number(std::string_view key) const;  ///< one that is written without a unit
+  bool is_empty_array(std::string_view key) const;  ///< [], not one whose elements are wrong
+  bool is_number(std::string_view key) const;       ///< one that is written without a unit
 
   TomlTable table(std::string_view key) const;
   TomlTable required_table(std::string_view key) const;
@@ -200,10 +201,9 @@ std::optional<std::vector<E>> read_choices(const TomlTable& table, const char* k
   }
   auto given = table.choices<E>(key, names);
   if (!given) return std::nullopt;
-  if (given->empty()) {
+  if (table.is_empty_array(key))
     table.report(key, table.name_of(key) + " is empty", "name at least one");
-    return std::nullopt;
-  }
+  if (given->empty()) return std::nullopt;
   auto sorted = *given;
   std::ranges::sort(sorted);
   if (std::ranges::adjacent_find(sorted) != sorted.end())

@@ -65,7 +65,11 @@ Column intensity_column(const Results& results, const std::string& stem, const s
 Column listed_column(const CaseAxis& axis) {
   const std::size_t dot = axis.key.find('.');
   std::string stem = axis.key.substr(dot + 1), heading = capitalised(axis.words());
-  if (stem == "value" || stem == "use") stem = axis.key.substr(0, dot);
+  const std::string table = axis.key.substr(0, dot);
+  if (stem == "value" || stem == "use")
+    stem = table;
+  else if (table == "vertical")
+    stem = table + "_" + stem;  // the building has the same keys
   const std::string description = axis.words();
   if (!axis.names.empty()) return text_column(stem, heading, description);
   if (axis.unit == "-") return {stem, "", heading, ColumnKind::number, description};

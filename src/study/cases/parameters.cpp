@@ -56,8 +56,8 @@ const std::array parameter_rows = {
         {0.0, largest_alpha, "0 to 500"},
         21,
         "the building is a uniform cantilever of flexure and shear with the first period "
-        "period_s (Miranda & Taghavi 2005): 0 to 2 walls, 5 to 10 walls with frames, 20 to 30 "
-        "frames",
+        "period_s (Miranda & Taghavi 2005); usual: 0 to 2 walls, 1.5 to 6 walls with frames and "
+        "braced frames, 5 to 20 moment frames (recalled). A smaller one gives more displacement",
         [](Case& c) -> double& { return c.alpha; },
         Parameter::Axes::any,
         "period_s"},

@@ -6,12 +6,15 @@
 #include <functional>
 #include <iterator>
 #include <limits>
+#include <map>
 #include <numeric>
+#include <span>
 
 #include "glissade/core/contract.hpp"
 #include "glissade/core/hash.hpp"
 #include "glissade/core/mathematics.hpp"
 #include "glissade/motion/suite_scaling.hpp"
+#include "glissade/study/plan/history_cost.hpp"
 #include "glissade/study/run/history_table.hpp"
 #include "plan/keep_records.hpp"
 #include "plan/plan_check.hpp"
@@ -66,8 +69,8 @@ void number_buildings(Plan& plan) {
   plan.frictions_repeat = 2 * frictions.size() <= plan.order.size();
 }
 
-double record_us(const Plan& plan, std::size_t record) {
-  const double samples = static_cast<double>(plan.motion(record).horizontal_mps2[0].size());
+/// Predicted microseconds of a case of each record, on the mean and on the dearest building.
+std::vector<HistoryCost> record_costs(const Plan& plan) {
   // Of two arrays: both are run again by the reference scheme, 2 to 3 ms each.
   const double both_arrays_us = plan.config.has_neighbours() ? 5000.0 : 0.0;
   const StudyConfig& config = plan.config;
@@ -75,8 +78,25 @@ double record_us(const Plan& plan, std::size_t record) {
   const double searched =
       config.by_stripes ? 0.0
                         : histories_of_search * static_cast<double>(config.thresholds_m().size());
-  return (history_us(plan.kernel.kernel, config) + both_arrays_us) * samples / 8000.0 *
-         (static_cast<double>(plan.levels_of(record).size()) + searched);
+  std::map<double, HistoryCost> by_step;
+  std::vector<HistoryCost> costs;
+  for (std::size_t record = 0; record < plan.records.size(); ++record) {
+    const Motion& motion = plan.motion(record);
+    const auto [of_step, is_new] = by_step.try_emplace(motion.dt_s);
+    if (is_new) of_step->second = history_cost(plan.kernel.kernel, config, motion.dt_s);
+    const double histories = static_cast<double>(motion.horizontal_mps2[0].size()) / 8000.0 *
+                             (static_cast<double>(plan.levels_of(record).size()) + searched);
+    costs.push_back({(of_step->second.mean_us + both_arrays_us) * histories,
+                     (of_step->second.largest_us + both_arrays_us) * histories});
+  }
+  return costs;
+}
+
+double total_us(const Plan& plan, std::span<const HistoryCost> costs) {
+  double us = 0.0;
+  for (const HistoryCost& of_record : costs)
+    us += of_record.mean_us * static_cast<double>(plan.order.size());
+  return us;
 }
 
 /// Units of even predicted cost: some hundreds where the study (or a block of its samples) has that
@@ -88,17 +108,19 @@ void cut_units(Plan& plan) {
   constexpr std::size_t roofs_at_once = 16;
   const std::size_t blocks = plan.config.sampling.blocks_in_turn().count;
   const bool makes_roofs = plan.kernel.kernel == Kernel::tables && !plan.roofs_are_kept;
-  const double unit_us =
-      std::clamp(plan.predicted_seconds() * 1e6 /
-                     (units_wanted(plan.kernel.kernel) * static_cast<double>(blocks)),
-                 least_us, most_us);
+  const std::vector<HistoryCost> costs = record_costs(plan);
+  const double unit_us = std::clamp(
+      total_us(plan, costs) / (units_wanted(plan.kernel.kernel) * static_cast<double>(blocks)),
+      least_us, most_us);
   std::vector<WorkUnit> units;
   std::size_t begin = 0;
   for (std::size_t block = 0; block < blocks; ++block) {
     std::size_t end = begin;
     while (end < plan.order.size() && block_of(plan, plan.order[end]) == block) ++end;
     for (std::size_t record = 0; record < plan.records.size(); ++record) {
-      const double cases = std::max(1.0, std::round(unit_us / record_us(plan, record)));
+      const auto& [mean_us, largest_us] = costs[record];
+      const double cases =
+          std::max(1.0, std::min(std::round(unit_us / mean_us), std::floor(most_us / largest_us)));
       std::size_t count = static_cast<std::size_t>(
           std::min(cases, static_cast<double>(std::max<std::size_t>(1, plan.order.size()))));
       if (makes_roofs) count = (count + roofs_at_once - 1) / roofs_at_once * roofs_at_once;
@@ -238,12 +260,7 @@ std::uint64_t Plan::histories() const {
   return records.size() * order.size() * depth_of(config, Depth::levels);
 }
 
-double Plan::predicted_seconds() const {
-  double us = 0.0;
-  for (std::size_t record = 0; record < records.size(); ++record)
-    us += record_us(*this, record) * static_cast<double>(order.size());
-  return 1e-6 * us;
-}
+double Plan::predicted_seconds() const { return 1e-6 * total_us(*this, record_costs(*this)); }
 
 double units_wanted(Kernel kernel) { return kernel == Kernel::tables ? 512.0 : 256.0; }
 
@@ -251,9 +268,10 @@ std::vector<std::size_t> longest_first(const Plan& plan, std::size_t block) {
   const std::size_t begin = block == 0 ? 0 : plan.unit_ends[block - 1];
   std::vector<std::size_t> units(plan.unit_ends[block] - begin);
   std::iota(units.begin(), units.end(), begin);
+  const std::vector<HistoryCost> costs = record_costs(plan);
   std::ranges::stable_sort(units, std::greater{}, [&](std::size_t i) {
     const WorkUnit& unit = plan.units[i];
-    return record_us(plan, unit.record) * static_cast<double>(unit.count);
+    return costs[unit.record].mean_us * static_cast<double>(unit.count);
   });
   return units;
 }

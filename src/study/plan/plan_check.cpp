@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "glissade/block/on_building.hpp"
+#include "glissade/building/mode_rules.hpp"
 #include "glissade/core/error.hpp"
 #include "glissade/core/finite.hpp"
 #include "glissade/core/units.hpp"
@@ -165,12 +166,16 @@ std::optional<std::string> problem_of(const Plan& plan, const Case& c, double st
         "periods of {:g} s or more, or leave out the building's strength",
         c.period_s, shortest_s);
   }
-  if (const double mode_s = shortest_period_s(plan.config, c, 2.0 * step_s); mode_s < 2.0 * step_s)
-    return fmt::format(
-        "a mode of the building has a period of {:.3g} s, below twice the time step of {:g} s of a "
-        "record, which does not represent it: leave that mode out, or take records of shorter "
-        "steps",
-        mode_s, step_s);
+  for (const auto& [key, period_s] :
+       {std::pair{"building", shorter_s}, {"vertical", c.vertical_period_s}})
+    if (period_s > 0.0 && period_s < shortest_s)
+      return fmt::format(
+          "{}.period_s of {:.3g} s: what has a period below {:g} s moves with the ground; give 0",
+          key, period_s, shortest_s);
+  if (const std::string text =
+          unresolved_mode(shortest_period_s(plan.config, c, 2.0 * step_s), step_s);
+      !text.empty())
+    return text + ": leave that mode out, or take records of shorter steps";
   if (two_axes && !(c.friction > 0.0 && c.friction_across > 0.0)) {
     return fmt::format(
         "friction.mu is {:g} along the slope and {:g} across, and must be above 0 on two axes: of "

@@ -6,10 +6,13 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <span>
 
+#include "glissade/core/finite.hpp"
 #include "glissade/core/quantile.hpp"
 #include "glissade/motion/improbable.hpp"
 #include "glissade/sampling/pull_test.hpp"
+#include "glissade/study/cases/probable.hpp"
 #include "plan/plan_check.hpp"
 
 namespace glissade {
@@ -89,26 +92,73 @@ Warnings target_values(const Plan& plan) {
 Warnings stated_modes(const Plan& plan) {
   const BuildingModel& model = plan.config.building;
   if (model.kind != BuildingModel::Kind::modes) return {};
+  const Parameter& damping = parameters()[parameter_index("building", "damping")];
   Warnings warnings;
-  for (std::size_t axis = 0; axis < (plan.config.two_axes() ? 2 : 1); ++axis)
-    for (const std::string& sentence : improbable_modes(model.modes[axis]))
+  for (std::size_t axis = 0; axis < (plan.config.two_axes() ? 2 : 1); ++axis) {
+    Warnings sentences = improbable_modes(model.modes[axis]);
+    for (const Mode& mode : model.modes[axis])
+      if (std::string text = improbable_value(damping, mode.damping_ratio);
+          model.has_own_damping && !text.empty())
+        sentences.push_back(std::move(text));
+    for (const std::string& sentence : sentences)
       warnings.push_back(fmt::format("building.modes{}: {}", axis == 0 ? "" : "_across", sentence));
+  }
+  return warnings;
+}
+
+/// Of storeys: how long a first period is usual, and numbers that are not of one unit.
+Warnings improbable_storeys(const Plan& plan) {
+  const StudyConfig& config = plan.config;
+  if (config.building.kind != BuildingModel::Kind::storeys) return {};
+  constexpr double least_s = 0.02, most_s = 0.5;  // a storey (recalled: about 0.1)
+  const auto storeys = static_cast<double>(config.building.modes[0].size());
+  Warnings warnings;
+  double shortest_s = infinity, longest_s = 0.0;
+  for (const Case& c : plan.cases.all()) {
+    shortest_s = std::min(shortest_s, c.period_s);
+    longest_s = std::max(longest_s, c.period_s);
+  }
+  for (const double period_s : {shortest_s, longest_s})
+    if (warnings.empty() && (period_s < least_s * storeys || period_s > most_s * storeys))
+      warnings.push_back(
+          fmt::format("a first period of {:.3g} s of {:g} storeys is outside {:g} to {:g} s a "
+                      "storey (recalled)",
+                      period_s, storeys, least_s, most_s));
+  return warnings;
+}
+
+/// By the least and the largest value of each parameter.
+Warnings improbable_parameters(const Plan& plan) {
+  const std::span<const Parameter> all = parameters();
+  std::vector<std::pair<double, double>> ends(all.size(), {infinity, -infinity});
+  bool is_rigid = true;
+  for (const Case& c : plan.cases.all()) {
+    is_rigid &= c.period_s == 0.0;
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      const double value = value_of(all[i], c);
+      if (value == value_of(all[i], Case())) continue;
+      ends[i] = {std::min(ends[i].first, value), std::max(ends[i].second, value)};
+    }
+  }
+  Warnings warnings;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const auto& [least, most] = ends[i];
+    if (least > most || (is_rigid && all[i].table == std::string("building"))) continue;
+    if (std::string text = improbable_value(all[i], most); !text.empty())
+      warnings.push_back(std::move(text));
+    if (std::string text = improbable_value(all[i], least); least < most && !text.empty())
+      warnings.push_back(std::move(text));
+  }
   return warnings;
 }
 
 Warnings improbable_buildings(const Plan& plan) {
-  double longest_s = 0.0, damping = 0.0, mass_ratio = 0.0, slope_deg = 0.0;
-  for (const Case& c : plan.cases.all()) {
-    longest_s = std::max(longest_s, c.period_s);
-    damping = std::max(damping, c.damping);
-    mass_ratio = std::max(mass_ratio, c.mass_ratio);
-    slope_deg = std::max(slope_deg, std::abs(c.slope_deg));
-  }
+  double steepest_deg = 0.0;
+  for (const Case& c : plan.cases.all())
+    steepest_deg = std::max(steepest_deg, std::abs(c.slope_deg));
   Warnings warnings;
   for (const std::string& text :
-       {improbable_period(longest_s), longest_s > 0.0 ? improbable_damping(damping) : "",
-        improbable_mass_ratio(mass_ratio), improbable_slope(slope_deg),
-        unmarked_numbers(plan.config.unmarked_numbers)})
+       {improbable_slope(steepest_deg), unmarked_numbers(plan.config.unmarked_numbers)})
     if (!text.empty()) warnings.push_back(text);
   return warnings;
 }
@@ -248,10 +298,13 @@ Warnings turned_roofs(const Plan& plan) {
 
 std::vector<std::string> warnings_on(const Plan& plan) {
   std::vector<std::string> warnings;
-  for (const auto warning :
-       {without_target, one_axis, strong_levels, missed_targets, few_for_rule, target_values,
-        stated_modes, improbable_buildings, period_gaps, low_friction, high_friction, free_sliding,
-        other_targets, same_motions, other_stripes, motions, nearest_records, turned_roofs}) {
+  for (const auto warning : {without_target,       one_axis,           strong_levels,
+                             missed_targets,       few_for_rule,       target_values,
+                             stated_modes,         improbable_storeys, improbable_parameters,
+                             improbable_buildings, period_gaps,        low_friction,
+                             high_friction,        free_sliding,       other_targets,
+                             same_motions,         other_stripes,      motions,
+                             nearest_records,      turned_roofs}) {
     for (std::string& text : warning(plan)) warnings.push_back(std::move(text));
   }
   for_each_analysis(Analyses(), [&](auto analysis) {

@@ -129,5 +129,19 @@ TEST(governing_modes, carry_95_percent_or_are_slow_enough_and_are_six_at_most) {
   EXPECT_EQ(governing_modes(cantilever_modes(0.01, 0.0, 20)).size(), 1u);
 }
 
+TEST(governing_modes, are_those_with_the_largest_mass_shares) {
+  std::vector<Mode> modes;
+  for (const double period_s : {0.9, 0.8, 0.7, 0.6, 0.5, 0.4})
+    modes.push_back({period_s, 0.01, 1e-4});
+  modes.push_back({0.3, 1.2, 0.8});
+  modes.push_back({0.2, -0.2, 0.16});
+  modes.push_back({0.04, 0.1, 0.03});
+  const std::vector<Mode> governing = governing_modes(modes);
+  ASSERT_EQ(governing.size(), 3u);  // the first, and 96 % of the mass
+  EXPECT_EQ(governing[0].period_s, 0.9);
+  EXPECT_EQ(governing[1].period_s, 0.3);
+  EXPECT_EQ(governing[2].period_s, 0.2);
+}
+
 }  // namespace
 }  // namespace glissade

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "glissade/building/roof_motion.hpp"
-
 #include <gtest/gtest.h>
 
 #include <boost/multiprecision/cpp_bin_float.hpp>
 #include <cmath>
 
+#include "glissade/building/mode_rules.hpp"
 #include "glissade/core/oscillator.hpp"
 
 namespace glissade {
@@ -77,6 +76,21 @@ TEST(roof_motion, does_not_depend_on_how_finely_it_is_sampled) {
   for (std::size_t i = 0; i < coarse.horizontal_mps2.size(); ++i) {
     EXPECT_NEAR(fine.horizontal_mps2[4 * i], coarse.horizontal_mps2[i], 1e-13);
   }
+}
+
+/// Each mode by itself, times its participation, and the ground for those that are left out.
+TEST(roof_motion, of_modes_is_the_sum_of_their_motions) {
+  const std::vector<double> a = {0.2, 1.0, -2.0, 3.0, 0.5, -1.0};
+  const std::vector<Mode> modes{{0.5, 1.3, 0.8, 0.05}, {0.2, -0.4, 0.1, 0.02}};
+  const double dt_s = 0.02;
+  const auto motion = [&](const Modes& building) {
+    return roof_motion({dt_s, a}, building, {}, {.steps_per_period = 1}).horizontal_mps2;
+  };
+  const std::vector<double> roof = motion(Modes(modes)), first = motion(modes[0].oscillator()),
+                            second = motion(modes[1].oscillator());
+  ASSERT_EQ(roof.size(), a.size());
+  for (std::size_t i = 0; i < a.size(); ++i)
+    EXPECT_NEAR(roof[i], 1.3 * first[i] - 0.4 * second[i] + 0.1 * a[i], 1e-14);
 }
 
 TEST(roof_motion, rings_down_until_it_is_quiet_and_no_longer) {

@@ -140,6 +140,21 @@ TEST_F(StudyFile, contradictions_and_values_out_of_range_have_one_clear_message_
                   "period_s = 0.3, participation = -0.3, mass_share = 0.3 }]\n",
        "building.modes"},
       {building + "modes = []\n", "building.modes"},
+      {building + "modes = 5\n", "building.modes"},
+      {building +
+           "modes = [{ period_s = 1, participation = 1.3, mass_share = 0.8, damping = 5 }]\n",
+       "building.modes.damping"},
+      {building + "modes = [{ period_s = 1, participation = 1e308, mass_share = 0.8 }]\n",
+       "building.modes.participation"},
+      {building + "modes_across = [{ period_s = 1, participation = 1.3, mass_share = 0.8 }]\n",
+       "building.modes_across"},
+      {building + "modes = [{ period_s = 1, participation = 1.3, mass_share = 0.8 }]\n"
+                  "modes_across = [{ period_s = 1, participation = 1.3, mass_share = 0.8 }]\n"
+                  "[model]\naxes = 1\n",
+       "building.modes_across"},
+      {study_part + "[suite]\nfile = \"suite.toml\"\nrecords = [5]\n" + intensity_part +
+           friction_part + fragility_part,
+       "suite.records"},
       {building +
            "modes = [{ period_s = 7, participation = 1, mass_share = 0.1 }, { "
            "period_s = 6, participation = 1, mass_share = 0.1 }, { period_s = 5, participation "

@@ -12,6 +12,8 @@
 #include "glissade/core/error.hpp"
 #include "glissade/core/units.hpp"
 #include "glissade/motion/intensity.hpp"
+#include "glissade/study/cases/probable.hpp"
+#include "glissade/study/plan/history_cost.hpp"
 #include "unit/study/small_study.hpp"
 
 namespace glissade {
@@ -435,6 +437,63 @@ TEST(plan, warns_of_what_is_possible_and_not_probable) {
   EXPECT_EQ(make_plan(small_config(), {twins}).warnings.size(), twins.motions.size() + 1);
   for (Motion& motion : twins.motions) motion.dt_s = 0.5;  // five are named, the others counted
   EXPECT_EQ(make_plan(small_config(), {twins}).warnings.size(), 5u + 1u + 1u);
+}
+
+TEST(plan, warns_of_each_parameter_beyond_what_is_probable) {
+  for (const ProbableRange& range : probable_ranges()) {
+    StudyConfig config = small_config();
+    config.model.axes = SlidingAxes::two;
+    config.quantities.at("building", "period_s") = fixed(0.5);
+    config.quantities.at(range.table, range.key) = fixed(1.4 * range.most);
+    EXPECT_THAT(small_plan(config).warnings, testing::Contains(testing::HasSubstr(range.reason)))
+        << range.table << "." << range.key;
+  }
+  for (const Parameter& p : parameters())
+    EXPECT_EQ(improbable_value(p, value_of(p, Case())), "") << p.name();
+}
+
+TEST(plan, warns_of_storeys_and_stated_modes_that_no_building_has) {
+  const auto warnings = [](const BuildingModel& building, double period_s) {
+    StudyConfig config = small_config();
+    config.building = building;
+    config.quantities.at("building", "period_s") = fixed(period_s);
+    return small_plan(config).warnings;
+  };
+  const std::vector<double> ones(20, 1.0);
+  BuildingModel storeys{BuildingModel::Kind::storeys};
+  storeys.modes[0] = storeys.modes[1] = with_first_period(shear_building_modes(ones, ones), 1.0);
+  EXPECT_THAT(warnings(storeys, 2.0),
+              testing::Not(testing::Contains(testing::HasSubstr("storey"))));
+  EXPECT_THAT(warnings(storeys, 0.3), testing::Contains(testing::HasSubstr("20 storeys")));
+  const BuildingModel stated{
+      BuildingModel::Kind::modes, {{{1.0, 1.0, 1.0, 0.4}}, {{1.0, 1.0, 1.0, 0.4}}}, true};
+  EXPECT_THAT(warnings(stated, 60.0), testing::Contains(testing::HasSubstr("60 s is above 10 s")));
+  EXPECT_THAT(warnings(stated, 1.0), testing::Contains(testing::HasSubstr("damping 0.4")));
+}
+
+TEST(plan, refuses_periods_below_a_hundredth_of_a_second_which_are_rigid) {
+  for (const char* table : {"building", "vertical"}) {
+    StudyConfig config = small_config();
+    config.quantities.at(table, "period_s") = fixed(4e-4);
+    EXPECT_THROW(small_plan(config), InputError) << table;
+  }
+}
+
+/// A building that is hardly damped, or much stiffer than the step, costs more, and its units are
+/// smaller.
+TEST(plan, predicts_the_cost_of_hardly_damped_and_of_stiff_buildings) {
+  const auto cost = [](double period_s, double damping) {
+    StudyConfig config = small_config();
+    config.model.axes = SlidingAxes::two;
+    config.quantities.at("building", "period_s") = fixed(period_s);
+    config.quantities.at("building", "damping") = fixed(damping);
+    return history_cost(Kernel::full, config, 0.01).mean_us;
+  };
+  EXPECT_EQ(cost(0.5, 0.05), cost(1.5, 0.1));
+  EXPECT_NEAR(cost(0.02, 0.05) / cost(0.5, 0.05), 8.0, 1e-12);  // 16 steps a period
+  // 67 s of 264 histories of 7,999 samples (issue 48): 254 ms each.
+  EXPECT_GT(cost(0.02, 0.0), 0.5 * 254e3);
+  EXPECT_LT(cost(0.02, 0.0), 2.0 * 254e3);
 }
 
 TEST(plan, warns_of_gaps_between_the_periods_of_which_the_worst_counts) {

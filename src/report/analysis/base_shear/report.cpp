@@ -97,45 +97,52 @@ Html section(const Results& results) {
   return heading("Base shear of the building") + table_or_file(base_shear_table(results));
 }
 
-/// Fig. 16: base shear over the period by support.
-Figure by_support_figure(const Results& results) {
+/// Lines over the period, one for each support; of one period the supports side by side.
+/// @param shown supports of the figure that this one stands beside, which have the same looks
+Panel shears_panel(const Results& results, const Table& table, const Places& supports,
+                   std::size_t shown, const std::vector<Rule>& rules, const MeansAxis& y) {
+  using enum ConditionAxis;
   const ConditionGrid grid(results);
-  const View view =
-      medians_over(results, ConditionAxis::period, base_shear_table(results),
-                   shown_along(grid, ConditionAxis::support),
-                   [&](const Condition& at) { return label_of(grid, ConditionAxis::support, at); });
+  const auto name = [&](const Condition& at) { return label_of(grid, support, at); };
+  if (grid.has_several(period)) {
+    View view = medians_over(results, period, table, supports, name);
+    for (std::size_t i = 0; i < view.lines.size(); ++i) view.lines[i].look = family_look(i, shown);
+    return means_panel(results, {view}, period_label, rules, y);
+  }
+  View view = medians_over(results, support, table, {supports.front()},
+                           [](const Condition&) { return "mean"; });
+  view.spread = DataSeries::Kind::bars;
+  view.lines[0].kind = as_points;  // names have nothing between them
+  for (const Condition& at : supports)
+    view.places.push_back({condition_cell(grid, support, at[support]),
+                           {static_cast<double>(view.places.size()), name(at)}});
+  return means_panel(results, {view}, "Array", rules, y);
+}
+
+/// Fig. 16: base shear over the period by support.
+Figure by_support_figure(const Results& results, const Places& supports) {
   return {"base_shear",
-          grid.has_several(ConditionAxis::support)
-              ? "Base shear of the building: array isolated, anchored, none"
-              : "Base shear of the building",
+          supports.size() > 1 ? "Base shear of the building: array isolated, anchored, none"
+                              : "Base shear of the building",
           below_text(results),
           "After Walters et al. (2012), Fig. 16. Mean over the suite of each history's SRSS of the "
           "peak base shears along both axes, over the weight of the building without the array.",
-          {means_panel(
-              results, {view}, period_label, {},
+          {shears_panel(
+              results, base_shear_table(results), supports, supports.size(), {},
               {"Base shear over the building's weight without the array", ColumnKind::number})}};
 }
 
 /// The same over that without an array, which must be among the supports.
-Figure ratio_figure(const Results& results) {
-  const ConditionGrid grid(results);
-  Places supports = shown_along(grid, ConditionAxis::support);
-  std::erase_if(supports, [&](const Condition& at) {
-    return grid.case_at(at).support == ArraySupport::no_array;
-  });
-  View view =
-      medians_over(results, ConditionAxis::period, base_shear_ratio_table(results), supports,
-                   [&](const Condition& at) { return label_of(grid, ConditionAxis::support, at); });
-  for (std::size_t i = 0; i < supports.size(); ++i)  // as beside the building without an array
-    view.lines[i].look = family_look(i, 3);
+Figure ratio_figure(const Results& results, const Places& with_array) {
+  const std::size_t shown = with_array.size() + 1;
   return {"base_shear_ratio",
           "Effect of the array on the base shear of its building",
           below_text(results),
           "The same relative to the building without an array: below 1 the array reduces the base "
           "shear. An anchored array adds its mass.",
-          {means_panel(results, {view}, period_label,
-                       {{Rule::Kind::horizontal, 1.0, look(Role::reference), "no array"}},
-                       {"Base shear over that without an array", ColumnKind::number, false})}};
+          {shears_panel(results, base_shear_ratio_table(results), with_array, shown,
+                        {{Rule::Kind::horizontal, 1.0, look(Role::reference), "no array"}},
+                        {"Base shear over that without an array", ColumnKind::number, false})}};
 }
 
 }  // namespace
@@ -162,11 +169,16 @@ Table base_shear_ratio_table(const Results& results) {
 
 std::vector<Figure> base_shear_figures(const Results& results) {
   const ConditionGrid grid(results);
+  const Places supports = shown_along(grid, ConditionAxis::support);
+  Places with_array = supports;
+  std::erase_if(with_array, [&](const Condition& at) {
+    return grid.case_at(at).support == ArraySupport::no_array;
+  });
+  const bool over_period = grid.has_several(ConditionAxis::period);
   std::vector<Figure> figures;
-  if (!grid.has_several(ConditionAxis::period) && !grid.has_several(ConditionAxis::support))
-    return figures;
-  figures.push_back(by_support_figure(results));
-  if (!base_shear_ratio_table(results).rows.empty()) figures.push_back(ratio_figure(results));
+  if (over_period || supports.size() > 1) figures.push_back(by_support_figure(results, supports));
+  if (with_array.size() < supports.size() && (over_period || with_array.size() > 1))
+    figures.push_back(ratio_figure(results, with_array));
   for (Figure& figure : figures) {
     figure.labels_at_lines = true;
     figure.suite = 0;

@@ -276,15 +276,21 @@ Table earthquakes_table(const Results& results) {
   TableOf<RunResults, F> t("earthquakes", "");
   t.put_all(run_column, threshold_column);
   std::vector<std::string> earthquakes;
-  for (std::size_t level = 0; level < results.levels.size(); ++level) {
-    const std::string name = earthquake_name(results.levels[level], results.model.dbe_level);
-    if (name.empty()) continue;
-    earthquakes.push_back(name == "DBE" ? "the design earthquake (DBE)"
-                                        : "the maximum considered earthquake (MCE)");
+  const double dbe_level = results.model.dbe_level;
+  for (const auto& [name, of_name] :
+       {std::pair{"DBE", dbe_level}, {"MCE", mce_over_dbe * dbe_level}}) {
+    const auto nearest = std::ranges::min_element(
+        results.levels, {}, [&](double level) { return std::abs(level - of_name); });
+    const auto level = static_cast<std::size_t>(nearest - results.levels.begin());
+    if (nearest == results.levels.end() || earthquake_name(*nearest, dbe_level) != name) continue;
+    const bool is_dbe = name == std::string_view("DBE");
+    earthquakes.push_back(is_dbe ? "the design earthquake (DBE)"
+                                 : "the maximum considered earthquake (MCE)");
     t.share(
-        name == "DBE" ? "dbe_probability" : "mce_probability",
+        is_dbe ? "dbe_probability" : "mce_probability",
         fmt::format("At the {}, {}", name, with_unit(results, level_number(results.levels[level]))),
-        "share of the histories that exceed the threshold at the " + name, [=](const F& of) {
+        fmt::format("share of the histories that exceed the threshold at the {}", name),
+        [=](const F& of) {
           return Estimate{of.probability.at(level), of.probability_interval.at(level)};
         });
   }
