@@ -187,7 +187,7 @@ void init(InitOptions o) {
         wrapped("building.storeys, building.diaphragm, site.fault_distance_km, "
                 "friction.laboratory, tested_on and surface, array, clearances, hazard",
                 terminal_width, 2));
-  put("Next    glissade check {}\n", o.file);
+  put("Next    glissade check {}\n", quoted_for_shell(o.file));
 }
 
 }  // namespace

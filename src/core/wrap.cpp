@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "glissade/core/wrap.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 namespace glissade {
@@ -64,6 +66,10 @@ std::string wrapped(std::string_view text, std::size_t width, std::size_t indent
   for (const std::string& line : wrapped(text, width - indent))
     all += (all.empty() ? "" : "\n" + std::string(indent, ' ')) + line;
   return all;
+}
+
+std::string counted(std::size_t count, const std::string& one) {
+  return fmt::format("{} {}{}", count, one, count == 1 ? "" : "s");
 }
 
 }  // namespace glissade

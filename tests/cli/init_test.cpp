@@ -51,6 +51,31 @@ TEST(Init, a_study_is_of_the_case) {
   EXPECT_THAT(child.out, states("O'Brien \"A\""));
 }
 
+// The command as it is printed runs in a shell.
+TEST(Init, prints_the_next_command_with_its_path_in_quotes) {
+  for (const std::string kind : {"study", "project"}) {
+    const ScratchFolder folder;
+    const std::string file = folder.path("Projekt \u00dc 1's.toml").string();
+    const auto next = [&](const std::string& printed) {
+      const std::size_t at =
+          printed.find("glissade ", std::min(printed.size(), printed.rfind("ext ")));
+      return "\"$0\" " + printed.substr(std::min(printed.size(), at + 9));
+    };
+    const std::string init = succeeding({"init", file, "--kind", kind, "--suite", suite, "--mu",
+                                         "0.5", "--mu-std", "0.03", "--slope", "0.25:12"})
+                                 .out;
+    ASSERT_THAT(init, states("glissade check '"));
+    const Finished check = run_shell(next(init));
+    EXPECT_EQ(check.status, 0) << next(init) << check.err;
+    if (kind == "project") {
+      EXPECT_THAT(check.out, states("next        glissade clearance '", "1'\\''s.toml'"));
+    }
+    const Finished other = run_program(
+        {kind == "project" ? "run" : "clearance", file, "--out", folder.path("out").string()});
+    EXPECT_THAT(other.err, states("run it with: glissade", "1'\\''s.toml'"));
+  }
+}
+
 // Issue 34: levels that missed both by little gave no probability at either, without a note.
 TEST(Init, puts_the_levels_of_DBE_and_MCE_in) {
   for (const std::vector<std::string>& site :

@@ -69,7 +69,7 @@ TEST_F(Run, run_json_reports_when_where_and_how_long) {
 
 TEST_F(Run, results_have_their_description_at_the_root) {
   EXPECT_EQ(root_attribute("file_type"), "\"glissade results\"");
-  EXPECT_EQ(root_attribute("format_version"), "19");
+  EXPECT_EQ(root_attribute("format_version"), "20");
   EXPECT_EQ(root_attribute("seed"), "7");
   const std::string version = root_attribute("program_version");  // in quotes
   EXPECT_THAT(run_program({"--version"}).out, states(version.substr(1, version.find('"', 1) - 1)));

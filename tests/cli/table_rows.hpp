@@ -16,12 +16,11 @@ inline double number(const Row& row, const std::string& column) {
   return std::stod(row.at(column));
 }
 
-/// The rows of a CSV file, which has comments and a header above them.
+/// The rows of a CSV file below its header.
 inline std::vector<Row> rows_of(const std::string& csv) {
   std::vector<Row> rows;
   std::vector<std::string> header;
   for (const std::string& line : lines_of(csv)) {
-    if (line.starts_with("#")) continue;
     const std::vector<std::string> cells = cells_of(line);
     if (header.empty()) {
       header = cells;

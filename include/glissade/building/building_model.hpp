@@ -21,6 +21,7 @@ struct BuildingModel {
   /// By axis, their periods over the first; of a cantilever only if it has one alpha.
   std::array<std::vector<Mode>, 2> modes;
   bool has_own_damping = false;  ///< the stated modes have theirs
+  bool is_one_storey = false;    ///< stated, of one mass
 
   bool is_one_mass() const { return kind == Kind::one_mass; }
 };

@@ -21,4 +21,7 @@ std::vector<std::string> wrapped(std::string_view text, std::size_t width);
 /// The same as one text: every line but the first begins with `indent` blanks, which count.
 std::string wrapped(std::string_view text, std::size_t width, std::size_t indent);
 
+/// "1 sample", "2 samples"
+std::string counted(std::size_t count, const std::string& one);
+
 }  // namespace glissade

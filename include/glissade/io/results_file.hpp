@@ -11,7 +11,7 @@
 namespace glissade {
 
 /// The version of the results file's layout; a reader refuses others.
-inline constexpr int results_format_version = 19;
+inline constexpr int results_format_version = 20;
 
 /// Writes an HDF5 file that holds the study, the motions, the histories and `tables`, and nothing
 /// else: the same results give the same bytes. Written to a temporary name beside `file`, read back

@@ -20,6 +20,9 @@ inline constexpr double most_probable_g = 4.0;
 /// The largest recorded of one horizontal component is that of station MYG004, Tohoku 2011, 2.7 g.
 inline constexpr double most_probable_pga_g = 3.0;
 
+/// A record is scaled by no more as a rule: `maxScale` of the program of Baker & Lee (2018).
+inline constexpr double most_probable_factor = 5.0;
+
 /// More is an error of units: maps give percent of g, other programs m/s2.
 inline constexpr double most_possible_g = 10.0;
 

@@ -32,7 +32,7 @@ struct Column {
   std::string unit;     ///< "m", "g", "s" ...; empty for text, counts and dimensionless numbers
   std::string heading;  ///< for people, unit included: "Mean slip, m (in)"
   ColumnKind kind = ColumnKind::number;
-  std::string description;  ///< in results.h5
+  std::string description;  ///< in results.h5 and columns.csv; empty: the heading
   bool with_interval =
       false;            ///< cells are Estimates; files get three columns: value, _low95, _high95
   int decimals = -1;    ///< of numbers for people; below 0: three significant digits
@@ -193,9 +193,11 @@ Estimate estimate_of(const Cell& cell);
 /// finite.
 std::string cell_text(const Column& column, const Cell& cell);
 
-/// `# title` and the notes likewise, a header with the unit in every name, then the rows (RFC 4180
-/// quoting). NaN is an empty field.
+/// A header with the unit in every name, then the rows (RFC 4180 quoting). NaN is an empty field.
 std::string to_csv(const Table& table);
+/// A row for each column of their CSV files: its unit and meaning, with the table's title and
+/// notes.
+Table columns_table(const std::vector<Table>& tables);
 /// The same for results.h5: an interval is two columns more; in a column of numbers a text is NaN.
 DataTable data_of(const Table& table);
 /// Title and aligned columns, numbers to the right, no wider than a terminal: texts and headings

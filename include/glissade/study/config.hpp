@@ -57,6 +57,7 @@ struct Quantity {
   std::vector<double> values;         ///< strictly increasing; empty where it is drawn
   std::optional<Distribution> drawn;  ///< never Fixed
   bool drawn_as_rise_in_12 = false;   ///< a slope: a rise in 12 is drawn, not an angle
+  bool is_stated = false;             ///< by its key in the study file
 
   bool is_drawn() const { return drawn.has_value(); }
   bool is_always(double value) const {
@@ -147,6 +148,8 @@ struct StudyConfig : Analyses::InStudy {
   UnitSystem units = UnitSystem::si;  ///< of its report
   /// Of a study in US units: "thresholds_m = 1 (3.28 ft)", without a unit in the file.
   std::vector<std::string> unmarked_numbers;
+  /// What holds for keys that the file leaves out: "building.damping: 0.05".
+  std::vector<std::string> not_stated;
   std::filesystem::path file;  ///< the study file
   std::string source_text;     ///< the study file, verbatim
   /// Texts of the files that it names but suites (pull tests, curves, spectra), by their names.

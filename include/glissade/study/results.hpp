@@ -100,6 +100,7 @@ struct Results : Analyses::InResults {
   std::string intensity_symbol;  ///< in sentences: "S_DS", "Sa(1.0 s)"
   std::vector<SuiteSummary> suites;
   ModelText model;
+  BuildingModel building;
   SlidingAxes axes = SlidingAxes::one;
   DisplacementMeasure displacement = DisplacementMeasure::srss;  ///< of two axes
   std::vector<double> levels, thresholds_m;

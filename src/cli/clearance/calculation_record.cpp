@@ -65,10 +65,11 @@ CalculationJson json_of(const ExceedanceAt& e, bool of_roof) {
   return json;
 }
 
-CalculationJson json_of(const RoofPeak& roof) {
+/// @param has_alpha the building is a cantilever; of a wall alpha is 0
+CalculationJson json_of(const RoofPeak& roof, bool has_alpha) {
   CalculationJson json = CalculationJson::object();
   if (roof.period_s > 0.0) json["period_s"] = roof.period_s;
-  if (roof.alpha > 0.0) json["alpha"] = roof.alpha;
+  if (has_alpha) json["alpha"] = roof.alpha;
   json.update(
       {{"median_g", roof.median_g}, {"p84_g", roof.p84_g}, {"asce7_16_g", roof.asce7_16_g}});
   if (roof.asce7_22_g) json["asce7_22_g"] = *roof.asce7_22_g;
@@ -107,7 +108,8 @@ std::string numbers_json(const CalculationPackage& package) {
     row.update(
         {{"mean_m", d.mean_m}, {"p84_m", d.p84_m}, {"p95_m", d.p95_m}, {"largest_m", d.largest_m}});
   }
-  for (const RoofPeak& roof : design.roof) json["roof_acceleration"].push_back(json_of(roof));
+  for (const RoofPeak& roof : design.roof)
+    json["roof_acceleration"].push_back(json_of(roof, !package.project.building.alpha.empty()));
   for (const Sensitivity& s : design.sensitivity)
     json["sensitivity"].push_back(
         {{"input", s.what}, {"value", s.value}, {"required_m", s.clearance_m}});

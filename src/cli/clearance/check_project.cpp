@@ -52,9 +52,9 @@ Plan plan_of(const fs::path& file, const std::string& study, const Suite& suite)
 }
 
 void print_plan(const char* name, const Plan& plan) {
-  put("{:<12}{} records x {} cases x {} levels, roughly {:.0f} s on one core\n", name,
-      plan.records.size(), plan.cases.size(), plan.config.intensity.levels.size(),
-      std::ceil(plan.predicted_seconds()));
+  put("{:<12}{} x {} x {}, roughly {:.0f} s on one core\n", name,
+      counted(plan.records.size(), "record"), counted(plan.cases.size(), "case"),
+      counted(plan.config.intensity.levels.size(), "level"), std::ceil(plan.predicted_seconds()));
 }
 
 std::string range_text(const std::vector<double>& values) {
@@ -70,12 +70,12 @@ void print_inputs(const Project& project) {
       wrapped(project.of_roof
                   ? fmt::format("none is computed: the motions are those of its roof, factor {:g}",
                                 project.roof_factor)
-                  : fmt::format("period {} s ({}), {}, mass ratio {}",
+                  : fmt::format("period {} s ({}), {}, mass ratio {}, damping {:g}",
                                 range_text(building.period_s), building.period_basis,
                                 building.alpha.empty()
                                     ? "one mass"
                                     : "modes with alpha " + range_text(building.alpha),
-                                range_text(building.mass_ratio)),
+                                range_text(building.mass_ratio), building.damping),
               terminal_width, 12));
   put("{:<12}slope {} degrees\n", "roof", range_text(project.slope_deg));
   const std::vector<Separation> separations = separations_of(project.standard, 1.0);
@@ -104,7 +104,7 @@ void print_prescribed(const std::vector<PrescribedValue>& prescribed) {
 void print_end(const fs::path& file, const fs::path& out) {
   check_calculation_folder(out, false);
   put("{:<12}{}: free\n{:<12}glissade clearance {}\n", "folder", out.string(), "next",
-      file.string());
+      quoted_for_shell(file.string()));
 }
 
 }  // namespace

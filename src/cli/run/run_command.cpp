@@ -105,8 +105,8 @@ void check_is_none_of(const std::vector<FinishedPart>& parts, const fs::path& ou
 void check_has_parts(const Plan& plan, const PlanPart& part) {
   if (part.count > plan.units.size()) {
     throw InputError({"--part",
-                      fmt::format("the study has {} units of work, fewer than {} parts",
-                                  plan.units.size(), part.count),
+                      fmt::format("the study has {} of work, fewer than {} parts",
+                                  counted(plan.units.size(), "unit"), part.count),
                       "take fewer parts", ""});
   }
   if (part.is_all() || !plan.config.sampling.target) return;

@@ -362,9 +362,9 @@ void print_seconds(const PhaseClock& clock, int ranks) {
     phases += fmt::format("{}{} {:.2f}", phases.empty() ? "" : ", ", phase, seconds);
     total += seconds;
   }
-  put_lines(
-      fmt::format("Seconds on {} rank{}: {:.2f} ({})", ranks, ranks == 1 ? "" : "s", total, phases),
-      2);
+  put_lines(fmt::format("Seconds on {}: {:.2f} ({})",
+                        counted(static_cast<std::size_t>(ranks), "rank"), total, phases),
+            2);
 }
 
 void print_where(const fs::path& folder) {

@@ -254,10 +254,10 @@ void print_record(const SlideOptions& o, const ReadMotion& read, double pga_g) {
   for (const auto& [name, file, record] : read.components) {
     const auto& [of_file, dt_s, a, source, read_notes] = record;
     const char* peaks = o.of_roof ? "peaks of the roof" : "peaks";
-    put("{}\n  {} samples, {:g} s; {} {:.3g} g, {:.3g} m/s, {:.3g} m; D5-95 {:.3g} s\n", file,
-        a.size(), dt_s, peaks, peak_ground_acceleration_mps2(a) / standard_gravity_mps2,
-        peak_ground_velocity_mps(dt_s, a), peak_ground_displacement_m(dt_s, a),
-        significant_duration_s(dt_s, a));
+    put("{}\n  {}, {:g} s; {} {:.3g} g, {:.3g} m/s, {:.3g} m; D5-95 {:.3g} s\n", file,
+        counted(a.size(), "sample"), dt_s, peaks,
+        peak_ground_acceleration_mps2(a) / standard_gravity_mps2, peak_ground_velocity_mps(dt_s, a),
+        peak_ground_displacement_m(dt_s, a), significant_duration_s(dt_s, a));
   }
   for (const std::string& warning : warnings_on(o, read.motion, pga_g))
     print_sentence("WARNING: " + warning);
@@ -274,7 +274,7 @@ void print_text(const SlideOptions& o, const SlideHistory& h, const ReadMotion& 
   put("{}", to_text(to_table("Displacement relative to the roof, in plan (downslope "
                              "positive; flat roof: +x)",
                              findings_of(h, o.two_axes()))));
-  put("  slides in {} phases\n", r.slip_phases);
+  put("  slides in {}\n", counted(r.slip_phases, "phase"));
   print_building(h);
   if (h.crossing) {
     if (h.crossing->happens()) {

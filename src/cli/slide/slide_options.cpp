@@ -42,6 +42,7 @@ std::string meaning_of(const Parameter& p) {
                      std::string(p.meaning) +
                      (p.unit == std::string_view("-") ? "" : fmt::format(", {}", p.unit));
   if (is(p, "friction", "across_mu")) return text + " [as --mu]";
+  if (p.absent != nullptr) return fmt::format("{} [{}]", text, p.absent);
   return is_required ? text : fmt::format("{} [{:g}]", text, value_of(p, Case()));
 }
 
@@ -336,7 +337,9 @@ void add_options(CLI::App& command, SlideOptions& o) {
   command.add_option("--counts-per-unit", o.counts_per_unit,
                      "counts of the recorder for one of --units (miniSEED)");
   command.add_option("--history", o.history,
-                     "write the slip history to this CSV file (one axis, or two on a rigid roof)");
+                     "write the slip history to this CSV file (one axis, or two on a rigid roof): "
+                     "displacement and velocity relative to the roof, in plan, positive downslope "
+                     "(flat roof: +x)");
   add_overwrite(command, o.overwrite);
   command.add_flag("--json", o.json, "print one JSON object");
 }

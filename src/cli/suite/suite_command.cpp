@@ -50,6 +50,13 @@ void deliver(const SuiteOptions& o, const std::string& text) {
   }
 }
 
+/// The CSV alone; its title and notes go to standard error.
+void deliver_csv(const SuiteOptions& o, const Table& table) {
+  say("{}\n", printable(table.title));
+  for (const std::string& note : table.notes) say("{}\n", printable(note));
+  deliver(o, to_csv(table));
+}
+
 double in_g(double acceleration_mps2) { return acceleration_mps2 / standard_gravity_mps2; }
 
 const DesignTarget& target_of(const Suite& suite, const std::string& file) {
@@ -81,7 +88,7 @@ void show_files(const SuiteOptions& o) {
   deliver_table(o, components_table(found), "Event, station, magnitude and notes of each");
   put_warnings(found);
   put_left_out(found);
-  put("{} records: glissade suite import {} --out SUITE.toml\n", found.records.size(),
+  put("{}: glissade suite import {} --out SUITE.toml\n", counted(found.records.size(), "record"),
       quoted_for_shell(o.suite));
 }
 
@@ -148,7 +155,7 @@ void spectra(const SuiteOptions& o) {
     for (const double period : periods) mce_g.push_back(target.mce_sa_g(period));
     add("target_mce", mce_g);
   }
-  deliver(o, to_csv(table));
+  deliver_csv(o, table);
 }
 
 ScalingRule rule_of(const SuiteOptions& o) {
@@ -224,17 +231,18 @@ void scale(const SuiteOptions& o) {
   for (std::size_t i = 0; i < suite.motions.size(); ++i)  // as suite files keep them
     table.add({suite.motions[i].id, std::round(1e4 * scaling.factors[i]) / 1e4});
   if (!o.out.empty()) write_scaled(o, suite, table, scaling);
-  put("{}", to_csv(table));
+  SuiteOptions printed = o;
+  printed.out.clear();
+  deliver_csv(printed, table);
 }
 
-/// The table as CSV, to --out or standard output; warnings in its head.
 void put_target(const SuiteOptions& o, const ConditionalOptions& conditional) {
   const ConditionalTarget target = conditional.target();
   Table table = target_table(target);
   table.title = conditional.sentence(target);
   for (const std::string& warning : conditional.warnings(target))
     table.notes.push_back("WARNING: " + warning);
-  deliver(o, to_csv(table));
+  deliver_csv(o, table);
 }
 
 void design(const SuiteOptions& o) {

@@ -24,7 +24,8 @@ struct ImportCommand {
   std::vector<std::string> inputs;
   std::string report, out, name, roof;
   MissingOptions missing;
-  bool trim = false, resample = false, keep_single = false, directions_from_names = false, json = false, overwrite = false;
+  bool trim = false, resample = false, keep_single = false, directions_from_names = false,
+       json = false, overwrite = false;
 };
 
 ImportOptions options_of(const ImportCommand& o) {
@@ -120,9 +121,10 @@ Json to_json(const SuiteImport& found) {
 void check_any(const SuiteImport& found, bool are_listed) {
   if (!found.records.empty()) return;
   const Table channels = channels_table(found);
-  const std::string list = are_listed            ? ""
-                           : channels.rows.empty() ? left_out_text(found)
-                                                   : to_text(channels) + "\n" + left_out_text(found);
+  const std::string list = are_listed ? ""
+                           : channels.rows.empty()
+                               ? left_out_text(found)
+                               : to_text(channels) + "\n" + left_out_text(found);
   throw InputError(
       {"suite import", "no record was found in the files", "see what was left out", list});
 }
@@ -132,9 +134,9 @@ std::string suite_text(const ImportCommand& o, const SuiteImport& found) {
   const fs::path out(o.out);
   ImportedSuiteHead head{o.name.empty() ? out.stem().string() : o.name,
                          {"Made by: glissade suite import",
-                          fmt::format("{} records; distances are to the rupture, magnitudes moment "
+                          fmt::format("{}; distances are to the rupture, magnitudes moment "
                                       "magnitudes, where no other kind is stated",
-                                      found.records.size())},
+                                      counted(found.records.size(), "record"))},
                          o.missing.of_files().units_if_not_stated,
                          !o.roof.empty()};
   if (o.directions_from_names)

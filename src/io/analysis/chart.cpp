@@ -4,6 +4,7 @@
 
 #include "analysis/in_files.hpp"
 #include "text/scan.hpp"
+#include "toml/written_units.hpp"
 
 namespace glissade {
 namespace {
@@ -37,6 +38,11 @@ struct Given {
   std::optional<double> value;
 };
 
+/// A rise is in degrees already.
+std::string as_given(const std::string& key, double value) {
+  return with_unit_of(key == "rise_in_12" ? "slope_deg" : key, value);
+}
+
 /// A slope in degrees, given as slope_deg or as rise_in_12.
 Given read_slope(const TomlTable& table) {
   if (!table.has("rise_in_12")) return {"slope_deg", table.number("slope_deg")};
@@ -53,7 +59,7 @@ double on_axis(const TomlTable& table, const Given& given, const std::vector<dou
   const auto found =
       std::find_if(axis.begin(), axis.end(), [&](double x) { return same(x, *value); });
   if (found != axis.end()) return *found;
-  table.report(key, table.name_of(key) + " = " + shortest_decimal(*value) + " is not on the chart",
+  table.report(key, table.name_of(key) + " = " + as_given(key, *value) + " is not on the chart",
                "give one of its values, " + shortest_decimal(axis.front()) + " to " +
                    shortest_decimal(axis.back()));
   return otherwise;
@@ -66,8 +72,7 @@ double within_axis(const TomlTable& table, const Given& given, const std::vector
   const double value = given.value.value_or(0.0);
   if (!given.value || axis.empty() || same(value, axis.front())) return value;
   if (value < axis.front() || value > axis.back()) {
-    table.report(key,
-                 table.name_of(key) + " = " + shortest_decimal(value) + " is outside the chart",
+    table.report(key, table.name_of(key) + " = " + as_given(key, value) + " is outside the chart",
                  "a chart is not extrapolated: stay from " + shortest_decimal(axis.front()) +
                      " to " + shortest_decimal(axis.back()));
   }

@@ -14,7 +14,7 @@ void read_verdict(const TomlTable& root, StudyConfig& study) {
   std::vector<double>& exceedance = study.verdict.emplace().exceedance;
   exceedance = table.numbers("exceedance", share_rule).value_or(exceedance);
   if (exceedance.empty() || !std::ranges::is_sorted(exceedance, std::greater_equal<>()))
-    table.report("exceedance", "verdict.exceedance is not a falling list of probabilities",
+    table.report("exceedance", "verdict.exceedance is not a decreasing list of probabilities",
                  "for example exceedance = [0.1, 0.05, 0.01]");
 }
 
@@ -36,8 +36,9 @@ AnalysisInFiles VerdictAnalysis::in_files() {
       .table = "verdict",
       .read = read_verdict,
       .keys = {{"exceedance", "list", "[0.1, 0.05, 0.01]",
-                "probabilities of exceedance, falling: prescribed displacements are compared with "
-                "the first, which is accepted at S_DS; the displacement of each is found"}},
+                "decreasing. The prescribed displacement passes if it is exceeded at DBE with at "
+                "most the first probability; for each one the displacement with that probability "
+                "is given"}},
       .needs = {{"[standards]", [](auto& root, auto&) { return root.has("standards"); }},
                 {"a slope and a building period that are numbers or lists, not drawn",
                  draws_neither_slope_nor_period},

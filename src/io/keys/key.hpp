@@ -92,7 +92,7 @@ void read_keys(const std::vector<KeyTable<C>>& tables, std::initializer_list<con
     read_keys(std::ranges::find(tables, name, &KeyTable<C>::name)->keys, root.table(name), config);
 }
 
-/// The rows, with "A and B" of what they need.
+/// The rows, with "A; B" of what they need.
 template <class C>
 std::vector<GrammarKey> in_words(const std::vector<KeyTable<C>>& tables) {
   std::vector<GrammarKey> all;
@@ -102,7 +102,7 @@ std::vector<GrammarKey> in_words(const std::vector<KeyTable<C>>& tables) {
       for (const Need<C>& need : row.needs) needs.push_back(need.what);
       all.push_back(row);
       all.back().table = table.name;
-      all.back().needs = fmt::format("{}", fmt::join(needs, " and "));
+      all.back().needs = fmt::format("{}", fmt::join(needs, "; "));
       needs.clear();
     }
   }

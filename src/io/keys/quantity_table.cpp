@@ -9,6 +9,7 @@
 #include "glissade/core/units.hpp"
 #include "text/scan.hpp"
 #include "toml/number_list.hpp"
+#include "toml/written_units.hpp"
 
 namespace glissade {
 namespace {
@@ -20,7 +21,9 @@ std::optional<Quantity> read_list(const TomlTable& table, const char* key,
   if (table.problem_count() > problems || values.empty()) return std::nullopt;
   for (const double value : values) {
     if (value >= range.min && value <= range.max) continue;
-    table.report(key, table.name_of(key) + ": " + shortest_decimal(value) + " is outside its range",
+    table.report(key,
+                 table.name_of(key) + ": " + with_unit_of(table.name_of(key), value) +
+                     " is outside its range",
                  std::string("it must be ") + range.text);
     return std::nullopt;
   }
@@ -79,8 +82,10 @@ std::optional<Distribution> read_table(const TomlTable& table) {
                                                              {forms[6].name, &forms[6]}});
   if (form) return (*form)->read(table);
   if (!table.has("distribution")) {
-    table.report_missing("distribution",
-                         "give distribution = \"uniform\" or another, or give a plain number");
+    table.report_missing(
+        "distribution", table.has("median")
+                            ? "give distribution = \"lognormal\" with median and log_std"
+                            : "give distribution = \"uniform\" or another, or give a plain number");
   }
   table.ignore_unknown();
   return std::nullopt;
@@ -126,16 +131,16 @@ std::optional<Quantity> read_moments(const TomlTable& table, const char* key,
   const TomlTable moments = table.table(key);
   const std::size_t problems = table.problem_count();
   const double mean = moments.required_number("mean");
-  explain_cov(moments);
   if (!moments.has("std"))
     moments.report_missing("std", std::string("give it, or one number, for a constant: ") + key +
                                       " = " + shortest_decimal(mean));
   const double std = moments.number("std", not_negative).value_or(0.0);
   if (table.problem_count() > problems) return std::nullopt;
   if (mean < range.min || mean > range.max) {
-    moments.report(
-        "mean", moments.name_of("mean") + " = " + shortest_decimal(mean) + " is outside its range",
-        std::string("it must be ") + range.text);
+    moments.report("mean",
+                   moments.name_of("mean") + " = " + with_unit_of(moments.name_of("mean"), mean) +
+                       " is outside its range",
+                   std::string("it must be ") + range.text);
     return std::nullopt;
   }
   if (std == 0.0) return Quantity{{mean}, {}};
@@ -145,9 +150,11 @@ std::optional<Quantity> read_moments(const TomlTable& table, const char* key,
 
 }  // namespace
 
-void explain_cov(const TomlTable& moments) {
-  moments.explain_unknown(
-      "cov", "give the standard deviation, std = cov x mean (0.08 x 0.50: std = 0.04)");
+bool refuse_cov(const TomlTable& moments, bool of_median) {
+  return moments.refuse_unknown(
+      "cov", of_median ? "of a lognormal distribution give log_std = sqrt(ln(1 + cov^2)) (cov 0.2: "
+                         "0.198), with distribution = \"lognormal\" and median"
+                       : "give the standard deviation, std = cov x mean (0.08 x 0.50: std = 0.04)");
 }
 
 std::span<const DistributionForm> distribution_forms() { return forms; }
@@ -164,6 +171,7 @@ std::optional<Quantity> read_quantity(const TomlTable& table, const char* key,
   if (table.is_table(key)) {
     const TomlTable value = table.table(key);
     if (value.has("from") || value.has("to")) return read_list(table, key, range);
+    if (refuse_cov(value, value.has("median"))) return std::nullopt;
     if (!value.has("distribution") && value.has("mean")) return read_moments(table, key, range);
   }
   const auto distribution = read_distribution(table, key, range);

@@ -28,7 +28,7 @@ std::optional<Quantity> read_quantity(const TomlTable& table, const char* key,
 /// The same of a slope that is given as the rise in 12, not in degrees.
 std::optional<Quantity> read_rise_in_12(const TomlTable& table);
 
-/// Of { mean, cov }: what the standard deviation is.
-void explain_cov(const TomlTable& moments);
+/// Notes a coefficient of variation, in whose place std or log_std is given; whether there is one.
+bool refuse_cov(const TomlTable& moments, bool of_median);
 
 }  // namespace glissade

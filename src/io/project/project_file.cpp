@@ -14,6 +14,7 @@
 #include "glissade/core/file.hpp"
 #include "glissade/core/input_file.hpp"
 #include "glissade/core/units.hpp"
+#include "glissade/core/wrap.hpp"
 #include "glissade/design/design_clearance.hpp"
 #include "glissade/io/sha256.hpp"
 #include "glissade/io/suite_file.hpp"
@@ -75,12 +76,14 @@ void require_keys(const TomlTable& root, bool of_roof) {
     const TomlTable table = root.table(name);
     if (table.has(one) && !table.has(other)) require(name, other);
   };
-  if (!root.table("building").has("period_s")) {  // beside it both are refused
+  if (!of_roof && !root.table("building").has("period_s")) {  // beside it both are refused
     together("building", "system", "height_m");
     together("building", "height_m", "system");
   }
-  together("building", "weight_kn", "array_weight_kn");
-  together("building", "array_weight_kn", "weight_kn");
+  if (!of_roof) {
+    together("building", "weight_kn", "array_weight_kn");
+    together("building", "array_weight_kn", "weight_kn");
+  }
   if (!root.table("friction").has("file")) together("friction", "mu", "source");
   together("site", "sds_g", "sd1_g"), together("site", "sd1_g", "sds_g");
 }
@@ -176,6 +179,9 @@ constexpr NumberRule storeys_rule{"1, 2, 3 or more",
 
 /// Of a building whose roof the motions are of.
 ProjectBuilding read_building_below(const TomlTable& table) {
+  constexpr const char* remedy =
+      "leave out all of [building] but storeys: the building is in the motions";
+  table.refuse_unknown("modes", remedy);
   std::vector<std::string> given;
   for (const GrammarKey& row : project_grammar())
     if (is_below_roof(row) && table.has(row.key)) given.push_back(row.name());
@@ -183,7 +189,7 @@ ProjectBuilding read_building_below(const TomlTable& table) {
     table.report("",
                  fmt::format("the suite has motions of the roof, and {} {} of a building below it",
                              fmt::join(given, ", "), given.size() == 1 ? "is" : "are"),
-                 "leave out all of [building] but storeys: the building is in the motions");
+                 remedy);
     table.ignore_unknown();
   }
   return {.period_s = {0.0},
@@ -239,6 +245,9 @@ std::string diaphragm_of(const TomlTable& table) {
 ProjectBuilding read_building(const TomlTable& table, const Project& project) {
   if (project.of_roof) return read_building_below(table);
   ProjectBuilding building;
+  table.refuse_unknown("modes",
+                       "give storeys and alpha: a project computes the modes; those of your own "
+                       "model are for a study (building.modes)");
   table.refuse_both("period_s", table.has("system") ? "system" : "height_m",
                     "give the period, or the system and the height");
   if (table.has("system")) {
@@ -428,7 +437,7 @@ Project read_one(const fs::path& file, std::optional<std::size_t> site) {
   const TomlTable root = document.root();
   if (!root.has("project") && root.has("study"))
     throw InputError({file.string(), "is a study file, not a project",
-                      "run it with: glissade run " + file.string(), ""});
+                      "run it with: glissade run " + quoted_for_shell(file.string()), ""});
   if (!root.has("project") && (root.has("record") || root.has("recipe")))
     throw InputError({file.string(), "is a suite file, not a project",
                       "name it in a project as [suite] file (glissade clearance --example)", ""});
@@ -486,7 +495,7 @@ Project read_project(const fs::path& file, std::size_t site) { return read_one(f
 Project read_project(const fs::path& file) {
   if (const std::vector<std::string> names = site_names(file); !names.empty())
     throw InputError({file.string(),
-                      fmt::format("has {} sites, and one is needed here", names.size()),
+                      "has " + counted(names.size(), "site") + ", and one is needed here",
                       "give a project with one [site] in place of [[site]]", ""});
   return read_one(file, {});
 }

@@ -73,9 +73,10 @@ void read_project_friction(const TomlTable& table, const fs::path& folder,
   if (table.has("file")) return take_tests(table, folder, friction);
   if (!table.has("mu")) return;
   const TomlTable mu = table.table("mu");
-  explain_cov(mu);
-  friction.mean = mu.required_number("mean", friction_rule);
-  friction.std = mu.required_number("std", not_negative);
+  if (!refuse_cov(mu, /*of_median=*/false)) {
+    friction.mean = mu.required_number("mean", friction_rule);
+    friction.std = mu.required_number("std", not_negative);
+  }
   friction.source = table.text("source").value_or("-");
   if (const auto tests = table.whole("tests", 2, 1000)) {
     friction.tests = *tests;

@@ -76,9 +76,10 @@ std::string building_of(const Project& project, const std::vector<double>& perio
                         std::string (*write)(const std::vector<double>&)) {
   if (project.of_roof) return "";
   const std::vector<double>& alpha = project.building.alpha;
+  const char* one_storey = project.building.storeys ? "storeys = 1\n" : "";
   return fmt::format("[building]\nperiod_s = {}\n{}mass_ratio = {}\ndamping = {}\n\n",
                      list_of(periods_s),
-                     alpha.empty() ? "" : fmt::format("alpha = {}\n", write(alpha)),
+                     alpha.empty() ? one_storey : fmt::format("alpha = {}\n", write(alpha)),
                      write(mass_ratios), project.building.damping);
 }
 

@@ -20,12 +20,15 @@ struct IntensityScale {
 };
 
 template <class Archive, class Cases>
-void exchange_cases(const Archive& archive, Cases& cases) {
+void exchange_cases(const Archive& archive, const BuildingModel& building, Cases& cases) {
   const Columns column(archive, cases, "friction.mu");
   for (const Parameter& p : parameters()) {
-    column(
-        p.name(),
-        {p.unit, p.meaning}, [&](auto& c) -> auto& { return p.of(const_cast<Case&>(c)); });
+    if (Archive::reads && p.is_of != nullptr && !p.is_of(building)) continue;
+    const std::string description = p.description();
+    converted(
+        archive, p.name(), {p.unit, description.c_str()}, cases,
+        [&](const Case& c) { return value_of(p, c, building); },
+        [&](Case& c, double value) { p.of(c) = value; });
   }
   column("roof.neighbour_slope", {"-", "where the neighbour stands, where there is one"},
          &Case::neighbour_slope, neighbour_slope_names);
@@ -281,7 +284,7 @@ void exchange_all(const Archive& archive, R& results) {
   std::uint64_t samples = results.cases.samples;
   archive.group("cases").attribute("samples", samples);
   if constexpr (Archive::reads) results.cases.samples = samples;
-  exchange_cases(archive.group("cases"), results.cases.cases);
+  exchange_cases(archive.group("cases"), results.building, results.cases.cases);
   exchange_records(archive.group("records"), results.records, results.record_periods_s);
   exchange_suites(archive.group("suites"), IntensityScale(results), results.suites);
   exchange_histories(archive.group("histories"), IntensityScale(results), results);

@@ -8,6 +8,7 @@
 
 #include "enum_names.hpp"
 #include "glissade/building/mode_rules.hpp"
+#include "glissade/core/wrap.hpp"
 #include "keys/quantity_table.hpp"
 
 namespace glissade {
@@ -98,8 +99,8 @@ std::vector<Mode> read_storeys(const TomlTable& building) {
     if (!*values) *values = std::vector<double>(storeys, 1.0);
     if ((*values)->size() == storeys) continue;
     building.report(key,
-                    fmt::format("{} has {} numbers for {} storeys", building.name_of(key),
-                                (*values)->size(), storeys),
+                    fmt::format("{} has {} for {}", building.name_of(key),
+                                counted((*values)->size(), "number"), counted(storeys, "storey")),
                     "give one for each storey, from the ground up");
     return {{1.0}};
   }
@@ -123,13 +124,22 @@ void read_building(const TomlTable& table, StudyConfig& study) {
                  "give the building one way");
     return table.ignore_unknown();
   }
+  if (given[0] == "storeys") {
+    if (!q.at("building", "period_s").is_drawn() &&
+        q.at("building", "period_s").values.front() <= 0.0)
+      table.report(given[0], "building.storeys is given without a period",
+                   "give building.period_s, the first period, above 0");
+    const std::vector<Mode> modes = read_storeys(table);
+    building.is_one_storey = modes.size() == 1;
+    if (building.is_one_storey) return;
+    building.modes[0] = building.modes[1] = modes;
+  }
   building.kind = given[0] == "alpha"     ? Kind::cantilever
                   : given[0] == "storeys" ? Kind::storeys
                                           : Kind::modes;
   const Quantity& alpha = q.at("building", "alpha");
   if (building.kind == Kind::cantilever && !alpha.is_drawn() && alpha.values.size() == 1)
     building.modes[0] = building.modes[1] = cantilever_modes(1.0, alpha.values.front(), most_modes);
-  if (building.kind == Kind::storeys) building.modes[0] = building.modes[1] = read_storeys(table);
   if (building.kind == Kind::modes) {
     bool across_has_damping = false;
     const double first_s = read_modes(table, "modes", building.modes[0], building.has_own_damping);
@@ -150,10 +160,6 @@ void read_building(const TomlTable& table, StudyConfig& study) {
       table.report("damping", "building.damping is given, and the modes have their own",
                    "give the damping one way");
   }
-  if (building.kind == Kind::storeys && !q.at("building", "period_s").is_drawn() &&
-      q.at("building", "period_s").values.front() <= 0.0)
-    table.report(given[0], "building." + given[0] + " is given without a period",
-                 "give building.period_s, the first period, above 0");
   for (const char* key : {"response_modification", "yield_coefficient"})
     if (!q.at("building", key).is_always(0.0))
       table.report(key,
@@ -169,6 +175,7 @@ void check_quantities(const TomlTable& root, StudyConfig& study) {
   const TomlTable roof = root.table("roof");
   roof.refuse_both("slope_deg", "rise_in_12", "give the slope one way");
   if (const auto slope = read_rise_in_12(roof)) study.quantities.at("roof", "slope_deg") = *slope;
+  study.quantities.at("roof", "slope_deg").is_stated |= roof.has("rise_in_12");
   check_strength(root.table("building"), study);
   read_building(root.table("building"), study);
 }

@@ -8,6 +8,7 @@
 
 #include "analysis/in_files.hpp"
 #include "enum_names.hpp"
+#include "glissade/core/wrap.hpp"
 #include "glissade/motion/improbable.hpp"
 #include "glissade/study/cases/sample_points.hpp"
 #include "keys/grammar.hpp"
@@ -130,10 +131,10 @@ void read_suites(const TomlTable& table, StudyConfig& study) {
 void check_stripes(const TomlTable& table, const StudyConfig& study) {
   const std::size_t suites = study.suite_files.size(), levels = study.intensity.levels.size();
   if (!study.by_stripes || suites == levels || suites == 0 || levels == 0) return;
-  table.report(
-      "stripes",
-      fmt::format("suite.stripes has {} suites, and intensity.levels {} levels", suites, levels),
-      "name the suite of each level, in the order of the levels");
+  table.report("stripes",
+               fmt::format("suite.stripes has {}, and intensity.levels {}",
+                           counted(suites, "suite"), counted(levels, "level")),
+               "name the suite of each level, in the order of the levels");
 }
 
 /// More than anybody can run, or hold the results of.
@@ -171,7 +172,7 @@ StudyConfig read_study(TomlDocument& document, const std::filesystem::path& file
     throw InputError(
         {file.string(),
          root.has("project") ? "is a project file, not a study" : "is a product file, not a study",
-         "run it with: glissade clearance " + file.string(), ""});
+         "run it with: glissade clearance " + quoted_for_shell(file.string()), ""});
   if (!root.has("study") && !root.has("suite"))
     throw InputError({file.string(), "is neither a study, [study], nor a project, [project]",
                       "`glissade init` writes either", ""});
@@ -211,6 +212,7 @@ StudyConfig read_study(TomlDocument& document, const std::filesystem::path& file
   read_analyses(root, study);
   study.published = read_published(root);
   refuse_idle_keys(root, study);
+  study.not_stated = keys_not_stated(root, study);
   check_size(root, study);
   document.finish();
   if (study.units == UnitSystem::us_customary) study.unmarked_numbers = document.unmarked_numbers();

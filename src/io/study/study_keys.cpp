@@ -65,12 +65,16 @@ std::vector<StudyKey> quantities_of(const std::string& table, std::vector<StudyK
     const std::string key = p.key, unit = p.unit;
     const auto read = [&p, i](const TomlTable& of, const char* name, StudyConfig& study) {
       if (auto quantity = read_quantity(of, name, p.range)) study.quantities[i] = *quantity;
+      study.quantities[i].is_stated = of.has(name);
     };
+    const bool is_warned_of = p.name() == "building.period_s" || p.name() == "roof.slope_deg";
+    const std::string usual = describe(Quantities()[i]) + (is_warned_of ? ", with a warning" : "");
     rows.push_back({p.key,
                     Reading{quantity_value,
-                            key == "mu"          ? "required (or file)"
-                            : key == "across_mu" ? "friction.mu"
-                                                 : describe(Quantities()[i]),
+                            key == "mu"           ? "required (or file)"
+                            : key == "across_mu"  ? "friction.mu"
+                            : p.absent != nullptr ? p.absent
+                                                  : usual,
                             read},
                     fmt::format("{}{}; range: {}", p.meaning,
                                 unit == "-" || unit == "deg" ? "" : ", " + unit, p.range.text),
@@ -111,13 +115,16 @@ std::vector<StudyTable> tables_of_cases() {
         {"records", "list of ids", "all", "the records to run"},
         {"normalise", "name", "none",
          "pgv: each record is scaled to the suite's median PGV first (FEMA P-695, A.8, "
-         "recalled): what remains between records is not how strong their earthquakes were"}}},
+         "recalled), which removes the scatter that comes from the strength of shaking"}}},
       {"intensity",
        {{"measure", "name", "required", measures()},
         {"levels", list_value, "required", "the levels, increasing, in the measure's unit"},
-        {"scaling_rule", reads<intensity, &IntensityConfig::scaling_rule>(scaling_rule_names),
+        {"scaling_rule",
+         reads<intensity, &IntensityConfig::scaling_rule>(scaling_rule_names),
          "how a suite is scaled to its design spectrum (suites/README.md). With sds_g the study "
-         "scales the suite as a whole; with mce_fraction its file must"},
+         "scales the suite as a whole; with mce_fraction its file must",
+         {{"measure = \"sds_g\" or \"mce_fraction\"",
+           [](auto&, auto& s) { return s.intensity.measure.is_of_design_spectrum(); }}}},
         {"to_1_5_t", reads<intensity, &IntensityConfig::to_one_and_a_half>(),
          "asce7_16, asce7_22: up to 1.5 times the longest period in place of 2, where a dynamic "
          "analysis justifies it (16.2.3.1)"},
@@ -159,7 +166,9 @@ std::vector<StudyTable> tables_of_cases() {
        quantities_of(
            "building",
            {{"storeys", "whole number", "one mass",
-             "the building is a shear building of so many storeys, with the first period period_s"},
+             "the building is a shear building of so many storeys, with the first period period_s; "
+             "1: "
+             "one mass, without the warning above 0.3 s"},
             {"storey_masses", list_value, "equal",
              "masses of its floors from the ground up; only their ratios count"},
             {"storey_stiffnesses", list_value, "equal", "stiffnesses of its storeys, likewise"},
@@ -324,6 +333,33 @@ std::vector<StudyTable> make_tables() {
 const std::vector<StudyTable>& study_tables() {
   static const std::vector<StudyTable> tables = make_tables();
   return tables;
+}
+
+std::vector<std::string> keys_not_stated(const TomlTable& root, const StudyConfig& study) {
+  const auto is_of_other_building = [&](const std::string& name) {
+    const auto p = std::ranges::find_if(
+        parameters(), [&](const Parameter& parameter) { return parameter.name() == name; });
+    return p != parameters().end() && p->is_of != nullptr && !p->is_of(study.building) &&
+           !study.building.is_one_mass();
+  };
+  std::vector<std::string> texts;
+  for (const StudyTable& of : study_tables()) {
+    const bool is_analysis = std::ranges::any_of(analyses_in_files(), [&](const auto& analysis) {
+      return analysis.table != nullptr && of.name == analysis.table;
+    });
+    if (of.name == "study" || (is_analysis && !root.has(of.name))) continue;
+    const TomlTable table = root.table(of.name);
+    for (const StudyKey& row : of.keys) {
+      const std::string name = of.name + "." + row.key;
+      const bool has_value = row.read && !row.usual.starts_with("required") &&
+                             row.usual != "none" && row.usual != "absent" && row.usual != "false";
+      if (!has_value || table.has(row.key) || is_of_other_building(name)) continue;
+      if (std::ranges::all_of(row.needs,
+                              [&](const StudyNeed& need) { return need.is_met(root, study); }))
+        texts.push_back(name + ": " + row.usual);
+    }
+  }
+  return texts;
 }
 
 void refuse_idle_keys(const TomlTable& root, const StudyConfig& study) {

@@ -15,6 +15,9 @@ using StudyTable = KeyTable<StudyConfig>;
 /// All tables of a study file, those of analyses last.
 const std::vector<StudyTable>& study_tables();
 
+/// "building.damping: 0.05": what holds for each key that is left out and would have an effect.
+std::vector<std::string> keys_not_stated(const TomlTable& root, const StudyConfig& study);
+
 /// Reports every key that is given and has no effect. Reads after all others.
 void refuse_idle_keys(const TomlTable& root, const StudyConfig& study);
 

@@ -7,7 +7,7 @@
 #include <functional>
 #include <string>
 
-#include "text/scan.hpp"
+#include "toml/written_units.hpp"
 
 namespace glissade {
 namespace {
@@ -26,8 +26,8 @@ std::vector<double> read_range(const TomlTable& range, const NumberRule& rule) {
       range.choice<Spacing>("spacing", {{"linear", Spacing::linear}, {"log", Spacing::log}})
           .value_or(Spacing::linear);
   if (range.problem_count() == problems_before && to <= from) {
-    range.report("to", range.name_of("to") + " = " + shortest_decimal(to) +
-                           " is not above from = " + shortest_decimal(from));
+    range.report("to", range.name_of("to") + " = " + with_unit_of(range.name_of("to"), to) +
+                           " is not above from = " + with_unit_of(range.name_of("from"), from));
   }
   if (range.problem_count() == problems_before && spacing == Spacing::log && from <= 0.0) {
     range.report("from", range.name_of("from") + " is 0, which has no logarithm",
@@ -47,7 +47,8 @@ std::vector<double> read_range(const TomlTable& range, const NumberRule& rule) {
   };
   if (!fill(to_twelve_digits) && !fill([](double value) { return value; })) {
     range.report("count", range.name_of("count") + " is more values than there are between " +
-                              shortest_decimal(from) + " and " + shortest_decimal(to));
+                              with_unit_of(range.name_of("from"), from) + " and " +
+                              with_unit_of(range.name_of("to"), to));
     return {};
   }
   return values;
@@ -71,8 +72,8 @@ std::vector<double> read_increasing(const TomlTable& table, const char* key,
   for (std::size_t i = 1; i < values->size(); ++i) {
     if ((*values)[i] > (*values)[i - 1]) continue;
     table.report(key,
-                 name + " is not increasing: " + shortest_decimal((*values)[i - 1]) +
-                     " is followed by " + shortest_decimal((*values)[i]),
+                 name + " is not increasing: " + with_unit_of(name, (*values)[i - 1]) +
+                     " is followed by " + with_unit_of(name, (*values)[i]),
                  "list each value once, the smallest first");
     break;
   }

@@ -36,7 +36,6 @@ struct TomlDocument::State {
   std::map<const void*, std::set<std::string, std::less<>>> read;
   std::set<const void*> not_checked;
   std::function<bool(const std::string& name)> is_key;
-  std::map<std::string, std::string> explained;  ///< what to suggest for keys that are none
   /// Literals in quotes that text_to_hash() has otherwise: where they begin, and how.
   std::map<std::size_t, std::string> written;
 
@@ -110,12 +109,14 @@ std::optional<double> as_number(TomlDocument::State& document, const toml::node&
         fmt::format("{} = {:g} ({:.3g} {})", name, value, value / unit->factor, unit->name);
   if (!std::isfinite(value) || !rule.is_met(value)) {
     const std::string reason = *rule.reason ? std::string(" (") + rule.reason + ")" : "";
-    table.report(key,
-                 name + " = " + shortest_decimal(value) + " is not " +
-                     (std::isfinite(value) ? rule.text + reason : "finite"),
-                 rule.is_share && rule.is_met(value / 100.0)
-                     ? shortest_decimal(to_twelve_digits(value / 100.0)) + "?"
-                     : std::string("give a value ") + rule.text);
+    table.report(
+        key,
+        name + " = " +
+            (node.is_string() ? in_quotes(*node.value<std::string>()) : shortest_decimal(value)) +
+            " is not " + (std::isfinite(value) ? rule.text + reason : "finite"),
+        rule.is_share && rule.is_met(value / 100.0)
+            ? shortest_decimal(to_twelve_digits(value / 100.0)) + "?"
+            : std::string("give a value ") + rule.text);
     return std::nullopt;
   }
   return value;
@@ -174,9 +175,7 @@ void TomlDocument::State::find_unknown_keys(const toml::table& table, const std:
     const std::string nearest = nearest_word(name, known);
     if (not_checked.contains(&table)) continue;
     std::string suggestion;
-    if (const auto known_as = explained.find(path + name); known_as != explained.end()) {
-      suggestion = known_as->second;
-    } else if (!nearest.empty()) {
+    if (!nearest.empty()) {
       suggestion = "did you mean " + nearest + unit_note(name, nearest) + "?";
     } else {
       for (const std::string& word : known)
@@ -418,8 +417,12 @@ void TomlTable::hash_without_folders(std::string_view key) const {
     note(*node);
 }
 
-void TomlTable::explain_unknown(std::string_view key, std::string suggestion) const {
-  document_->explained[name_of(key)] = std::move(suggestion);
+bool TomlTable::refuse_unknown(std::string_view key, std::string suggestion) const {
+  if (!exists() || as_table(node_).get(key) == nullptr) return false;
+  report(key, name_of(key) + " is not a known key", std::move(suggestion),
+         ProblemKind::unknown_key);
+  ignore_unknown();
+  return true;
 }
 
 void TomlTable::ignore_unknown() const { document_->not_checked.insert(node_); }

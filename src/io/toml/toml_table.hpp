@@ -157,8 +157,9 @@ class TomlTable {
   /// The values of a key are paths (move_paths): where the files are does not change what is
   /// computed.
   void hash_without_folders(std::string_view key) const;
-  /// What to suggest where the table has a key that is none.
-  void explain_unknown(std::string_view key, std::string suggestion) const;
+  /// Notes a key that is none where the table has it, and then none of its other unknown keys.
+  /// @return whether it has it
+  bool refuse_unknown(std::string_view key, std::string suggestion) const;
   /// Whatever else the table contains is not to be reported as unknown: an earlier problem kept it
   /// from being read.
   void ignore_unknown() const;

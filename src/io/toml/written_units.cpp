@@ -111,6 +111,12 @@ const KeyUnits::Unit* customary_unit(const KeyUnits& units) {
   return at == units.units.end() ? nullptr : &*at;
 }
 
+std::string with_unit_of(const std::string& key, double value) {
+  const KeyUnits* units = units_of_key(key);
+  const bool has_unit = units != nullptr && !units->units.empty();
+  return shortest_decimal(value) + (has_unit ? std::string(" ") + units->units.front().name : "");
+}
+
 std::span<const KeyUnits> all_key_units() { return rows; }
 
 std::string number_in_unit_of(std::string key, const std::string& text) {

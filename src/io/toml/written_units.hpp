@@ -29,6 +29,8 @@ struct KeyUnits {
 
 /// By the last part of "fragility.thresholds_m.from" that ends with a unit; null: the key has none.
 const KeyUnits* units_of_key(std::string_view key);
+/// A number as a key has it, with the key's unit: "-0.6096 m".
+std::string with_unit_of(const std::string& key, double value);
 /// Feet or kip of keys in m or kN; null: no other.
 const KeyUnits::Unit* customary_unit(const KeyUnits& units);
 std::span<const KeyUnits> all_key_units();

@@ -11,6 +11,7 @@
 #include "glissade/core/contract.hpp"
 #include "glissade/core/error.hpp"
 #include "glissade/core/units.hpp"
+#include "glissade/core/wrap.hpp"
 #include "glissade/motion/rotated_spectrum.hpp"
 #include "spectral_scaling.hpp"
 
@@ -190,7 +191,7 @@ std::string unmet_by(std::size_t motions, ScalingRule rule) {
 std::vector<std::string> too_few_for(ScalingRule rule, std::size_t motions) {
   const std::string unmet = unmet_by(motions, rule);
   if (unmet.empty()) return {};
-  return {fmt::format("{} motions: {}", motions, unmet)};
+  return {counted(motions, "motion") + ": " + unmet};
 }
 
 RuleRatios ratios_by_rule(const SpectraByRule& spectra, const std::vector<double>& factors,

@@ -57,9 +57,9 @@ Figure demand_figure(const CalculationPackage& package) {
   return {"demand",
           "Displacement at DBE over the building's period",
           fmt::format("friction {:.3g}; largest over slope, {}, with and without vertical motion; "
-                      "{} records{}",
+                      "{}{}",
                       package.project.friction.design(), varied_of_building(package.project),
-                      package.demand.records.size(),
+                      counted(package.demand.records.size(), "record"),
                       is_above ? "; governing displacement above the figure: " +
                                      length_in_both(design.governing_m)
                                : ""),

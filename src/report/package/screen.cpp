@@ -45,12 +45,12 @@ std::string inputs_lines(const CalculationPackage& package) {
          line("Roof", fmt::format("slope {}; friction {:.3f}, std {:.3f}, design {:.3f}",
                                   range_text(p.slope_deg, " deg"), p.friction.mean, p.friction.std,
                                   p.friction.design())) +
-         line("Motions", p.of_roof
-                             ? fmt::format("{} records of the roof, factor {:g}",
-                                           package.demand.records.size(), p.roof_factor)
-                             : fmt::format("{} records, {:.2f} to {:.2f} times the design spectrum",
-                                           package.demand.records.size(), ratios.lowest.ratio,
-                                           ratios.highest.ratio)) +
+         line("Motions", p.of_roof ? fmt::format("{} of the roof, factor {:g}",
+                                                 counted(package.demand.records.size(), "record"),
+                                                 p.roof_factor)
+                                   : fmt::format("{}, {:.2f} to {:.2f} times the design spectrum",
+                                                 counted(package.demand.records.size(), "record"),
+                                                 ratios.lowest.ratio, ratios.highest.ratio)) +
          line("Roof peak", roof_acceleration_text(package.design));
 }
 

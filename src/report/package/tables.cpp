@@ -188,10 +188,10 @@ Table demand_table(const CalculationPackage& package) {
       "demand",
       fmt::format(
           "Displacement demand at DBE, friction {:.3g}: the largest over "
-          "slope,{} with and without vertical motion, over {} records",
+          "slope,{} with and without vertical motion, over {}",
           package.project.friction.design(),
           package.project.of_roof ? "" : fmt::format(" {},", varied_of_building(package.project)),
-          package.demand.records.size()),
+          counted(package.demand.records.size(), "record")),
       {text_column("period", "Period"), text_column("mean", "Mean"),
        text_column("p84", "84th percentile"), text_column("p95", "95th percentile"),
        text_column("largest", "Largest record, any orientation"),
@@ -381,11 +381,12 @@ Table exceedance_table(const CalculationPackage& package) {
   table.notes.push_back(fmt::format(
       "The probability is the observed share of the histories, without a fitted curve. {} drawn "
       "within the project's ranges, and the orientation; the slope is the "
-      "steepest: {} samples for each of {} records. The interval is from resampling whole records; "
+      "steepest: {} for each of {}. The interval is from resampling whole records; "
       "it is never narrower than that of a binomial with one trial for each record.",
       project.of_roof ? "Friction is"
                       : fmt::format("Friction and {} are", varied_of_building(project)),
-      package.probability.cases.samples, package.probability.records.size()));
+      counted(package.probability.cases.samples, "sample"),
+      counted(package.probability.records.size(), "record")));
   return project.of_roof ? table.without("period") : table;
 }
 
@@ -459,9 +460,9 @@ Table roof_accelerations_table(const CalculationPackage& package) {
                fixed(roof.median_g, 3), fixed(roof.p84_g, 3), fixed(roof.asce7_16_g, 3),
                fixed(roof.asce7_22_g.value_or(nan), 3), fixed(roof.over_standards(), 2)});
   table.notes.push_back(fmt::format(
-      "Computed: over {} records, of each the geometric mean of both horizontal axes{}. ASCE 7-16: "
+      "Computed: over {}, of each the geometric mean of both horizontal axes{}. ASCE 7-16: "
       "0.4 S_DS (1 + 2 z/h) with z/h = 1.",
-      package.demand.records.size(), of_roof ? "" : ", without the array"));
+      counted(package.demand.records.size(), "record"), of_roof ? "" : ", without the array"));
   if (of_roof) return table.without("period").without("alpha").without("asce7_22");
   table.notes.push_back(
       "ASCE 7-22: 0.4 S_DS H_f, H_f = 1 + a_1 + a_2, a_1 = 1/T, 2.5 at most, a_2 = 1 - (0.4 "

@@ -115,6 +115,7 @@ Html figures_html(const std::vector<DrawnFigure>& figures) {
 
 std::vector<DrawnFigure> write_parts(ReportParts parts, const std::filesystem::path& out_dir,
                                      bool overwrite) {
+  parts.tables.push_back(columns_table(parts.tables));
   std::vector<std::string> names;
   if (!parts.page.empty()) names.push_back(parts.page);
   for (const Table& table : parts.tables) names.push_back("tables/" + (table.name + ".csv"));

@@ -38,8 +38,8 @@ struct ReportParts {
   std::vector<Table> tables;
   std::vector<Figure> figures;
 };
-/// In the place of an earlier report (begin_report): writes out_dir/tables/NAME.csv of each table,
-/// then draws into out_dir/figures.
+/// In the place of an earlier report (begin_report): writes out_dir/tables/NAME.csv of each table
+/// and of their columns, then draws into out_dir/figures.
 std::vector<DrawnFigure> write_parts(ReportParts parts, const std::filesystem::path& out_dir,
                                      bool overwrite);
 /// Drawings in order, each with its number, title and caption.

@@ -130,6 +130,7 @@ std::string padded(const std::string& text, std::size_t width, ColumnKind kind) 
 
 std::string unit_text(const std::string& unit) {
   if (unit == "mps") return "m/s";
+  if (unit == "mps2") return "m/s2";
   if (unit == "Jpkg") return "J/kg";
   if (unit == "per_year") return "1/year";
   return unit.empty() ? "-" : unit;
@@ -235,8 +236,7 @@ std::string cell_text(const Column& column, const Cell& cell) {
 }
 
 std::string to_csv(const Table& table) {
-  std::string csv = "# " + one_line(table.title) + "\n";
-  for (const std::string& note : table.notes) csv += "# " + one_line(note) + "\n";
+  std::string csv;
   for (std::size_t c = 0; c < table.columns.size(); ++c) {
     csv += (c == 0 ? "" : ",") + csv_header(table.columns[c]);
   }
@@ -254,11 +254,12 @@ DataTable data_of(const Table& table) {
   for (std::size_t c = 0; c < table.columns.size(); ++c) {
     const Column& column = table.columns[c];
     const std::vector<std::string> names = file_names(column);
-    const std::string unit = unit_text(column.unit);
+    const std::string unit = unit_text(column.unit),
+                      meaning = column.description.empty() ? column.heading : column.description;
     if (column.kind == ColumnKind::text) {
       std::vector<std::string> texts;
       for (const std::vector<Cell>& row : table.rows) texts.push_back(cell_text(column, row[c]));
-      data.columns.push_back({names[0], unit, column.description, std::move(texts)});
+      data.columns.push_back({names[0], unit, meaning, std::move(texts)});
       continue;
     }
     std::vector<double> values, low, high;
@@ -268,7 +269,7 @@ DataTable data_of(const Table& table) {
       low.push_back(interval.low);
       high.push_back(interval.high);
     }
-    data.columns.push_back({names[0], unit, column.description, std::move(values)});
+    data.columns.push_back({names[0], unit, meaning, std::move(values)});
     if (!column.with_interval) continue;
     data.columns.push_back(
         {names[1], unit, "lower end of the 95 % interval of " + names[0], std::move(low)});
@@ -276,6 +277,24 @@ DataTable data_of(const Table& table) {
         {names[2], unit, "upper end of the 95 % interval of " + names[0], std::move(high)});
   }
   return data;
+}
+
+Table columns_table(const std::vector<Table>& tables) {
+  Table all{"columns",
+            "The columns of the other tables, and the title and notes of each",
+            {text_column("table", "Table"), text_column("column", "Column"),
+             text_column("unit", "Unit"), text_column("meaning", "Meaning"),
+             text_column("title", "Title of the table"), text_column("notes", "Its notes")},
+            {}};
+  for (const Table& table : tables) {
+    const Table head{table.name, table.title, table.columns, {}};
+    std::string notes;
+    for (const std::string& note : table.notes) notes += (notes.empty() ? "" : "; ") + note;
+    for (const DataColumn& column : data_of(head).columns)
+      all.add({table.name.text(), column.name, column.unit, column.description,
+               one_line(table.title), one_line(notes)});
+  }
+  return all;
 }
 
 namespace {

@@ -147,8 +147,8 @@ std::string recalled_in_brackets(Provenance provenance) {
 }
 
 std::string format_skip(const Skip& skip) {
-  const std::string count = skip.count > 0 ? fmt::format("{} ", skip.count) : "";
-  return count + skip.what + ": " + skip.why;
+  const std::string count = skip.count > 0 ? fmt::format(" ({})", skip.count) : "";
+  return skip.what + count + ": " + skip.why;
 }
 
 std::string capitalised(std::string text) {

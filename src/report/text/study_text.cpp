@@ -125,10 +125,6 @@ std::string levels_of_each(const Results& results) {
   return (results.by_stripes ? "1 of " : "") + counted(results.levels.size(), "level");
 }
 
-std::string counted(std::size_t count, const std::string& one) {
-  return fmt::format("{} {}{}", count, one, count == 1 ? "" : "s");
-}
-
 std::size_t combination_of(const Results& results, const RunResults& run) {
   return run.first_case / std::max<std::size_t>(1, results.cases.per_combination());
 }

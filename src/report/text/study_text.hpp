@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "glissade/core/wrap.hpp"
 #include "glissade/report/figure.hpp"
 #include "glissade/report/format.hpp"
 #include "glissade/report/table.hpp"
@@ -82,8 +83,6 @@ std::string at_intensity(const Results& results, double value);
 std::string level_number(double level);
 /// "6 levels"; of multiple stripes "1 of 6 levels".
 std::string levels_of_each(const Results& results);
-/// "1 sample", "2 samples"
-std::string counted(std::size_t count, const std::string& one);
 /// "22 records x 1024 samples"
 std::string counts_of(const Results& results);
 /// Which combination of what the study lists a run is.

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
+
 #include <array>
 #include <cstring>
 
@@ -60,9 +62,13 @@ const std::array parameter_rows = {
         "braced frames, 5 to 20 moment frames (recalled). A smaller one gives more displacement",
         [](Case& c) -> double& { return c.alpha; },
         Parameter::Axes::any,
-        "period_s"},
+        "period_s",
+        "one mass",
+        [](const BuildingModel& b) { return b.kind == BuildingModel::Kind::cantilever; }},
     Parameter{"building", "damping", "building damping", "-", damping_ratio, 3,
-              "the building's damping ratio", [](Case& c) -> double& { return c.damping; }},
+              "the building's damping ratio", [](Case& c) -> double& { return c.damping; },
+              Parameter::Axes::any, nullptr, nullptr,
+              [](const BuildingModel& b) { return !b.has_own_damping; }},
     Parameter{"building",
               "period_ratio",
               "period ratio",
@@ -163,6 +169,14 @@ const std::array parameter_rows = {
 
 bool Parameter::moves_roof() const {
   return std::strcmp(table, "building") == 0 || std::strcmp(table, "vertical") == 0;
+}
+
+std::string Parameter::description() const {
+  return is_of == nullptr ? meaning : fmt::format("{} (NaN: not of this building)", meaning);
+}
+
+double value_of(const Parameter& parameter, const Case& c, const BuildingModel& building) {
+  return parameter.is_of == nullptr || parameter.is_of(building) ? value_of(parameter, c) : nan;
 }
 
 std::span<const Parameter> parameters() { return parameter_rows; }

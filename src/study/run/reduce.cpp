@@ -107,6 +107,7 @@ void put_study(const StudyConfig& study, Results& results) {
   results.measure = study.intensity.measure;
   results.intensity_label = intensity_label(study.intensity);
   results.intensity_symbol = study.intensity.measure.symbol(study.intensity);
+  results.building = study.building;
   results.axes = study.model.axes;
   results.displacement = study.model.displacement;
   results.levels = study.intensity.levels;

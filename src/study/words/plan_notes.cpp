@@ -10,6 +10,7 @@
 #include <map>
 #include <span>
 
+#include "glissade/core/wrap.hpp"
 #include "glissade/study/plan/one_mass.hpp"
 #include "words/model_text.hpp"
 
@@ -47,61 +48,57 @@ std::vector<std::string> notes_on_records(const Plan& plan) {
   const std::size_t flat =
       count_records(plan, [](const Motion& m) { return m.vertical_mps2.empty(); });
   if (has_use(plan.config, VerticalChoice::if_available) && flat > 0) {
-    notes.push_back(
-        fmt::format("{} of {} records have no vertical component: run with the horizontal alone",
-                    flat, records));
+    notes.push_back(fmt::format("no vertical component in {} of {}: run with the horizontal alone",
+                                flat, counted(records, "record")));
   }
   const std::size_t single =
       count_records(plan, [](const Motion& m) { return m.horizontal_mps2[1].empty(); });
   if (single > 0) {
-    notes.push_back(fmt::format(
-        "{} of {} records have one horizontal component: it is used throughout", single, records));
+    notes.push_back(fmt::format("one horizontal component in {} of {}: it is used throughout",
+                                single, counted(records, "record")));
   }
   std::vector<std::string> assumed;
   for (std::size_t record = 0; record < records; ++record)
     if (plan.motion(record).starts_are_assumed) assumed.push_back(plan.motion(record).id);
   if (!assumed.empty())
     notes.push_back(
-        fmt::format("{} of {} records have components of different steps or lengths, "
-                    "assumed to start together: {}",
-                    assumed.size(), records, listed(assumed)));
+        fmt::format("components of different steps or lengths in {} of {}, assumed to start "
+                    "together: {}",
+                    assumed.size(), counted(records, "record"), listed(assumed)));
   std::map<std::string, std::vector<std::string>> read_so;
   for (std::size_t record = 0; record < records; ++record)
     for (const auto* notes : {&plan.motion(record).notes, &plan.motion(record).processing})
       for (const std::string& note : *notes) read_so[note].push_back(plan.motion(record).id);
   for (const auto& [note, ids] : read_so)
     notes.push_back(
-        fmt::format("{} of {} records, {}: {}", ids.size(), records, note, listed(ids)));
+        fmt::format("{} of {}, {}: {}", ids.size(), counted(records, "record"), note, listed(ids)));
   if (records == 1) notes.push_back("one record: the scatter between records is not estimated");
   return notes;
 }
 
 std::vector<std::string> notes_on_building(const Plan& plan) {
   if (plan.config.building.is_one_mass()) {
-    // The storeys of a study's building are not known.
-    std::string text = one_mass_sentence(
-        std::nullopt, plan.config.quantities.at("building", "period_s").largest());
-    if (text.empty()) return {};
+    const double longest_s = plan.config.quantities.at("building", "period_s").largest();
+    std::string text = one_mass_text(plan.config);
+    if (text.empty() || longest_s > longest_one_mass_period_s) return {};  // else a warning
     return {std::move(text)};
   }
   return {"the building is " + modes_text(plan) + "; modes that are left out move with the ground"};
 }
 
-/// Quantities that are not as usual, and have no effect without another one.
+/// Quantities that are stated and have no effect without another one.
 std::vector<std::string> notes_on_quantities(const StudyConfig& config) {
   struct Needs {
     const char *table, *key, *other, *what;
   };
-  const Quantities usual;
   std::vector<std::string> notes;
   for (const Needs& n :
        {Needs{"building", "damping", "period_s", "a rigid building"},
         Needs{"building", "period_ratio", "period_s", "a rigid building"},
         Needs{"building", "mass_ratio", "period_s", "a rigid building"},
         Needs{"vertical", "damping", "period_s", "a roof that moves vertically with the ground"}}) {
-    const Quantity& given = config.quantities.at(n.table, n.key);
-    const bool is_usual = !given.is_drawn() && given.values == usual.at(n.table, n.key).values;
-    if (!is_usual && config.quantities.at(n.table, n.other).is_always(0.0))
+    if (config.quantities.at(n.table, n.key).is_stated &&
+        config.quantities.at(n.table, n.other).is_always(0.0))
       notes.push_back(fmt::format("{}.{} has no effect on {}: give {}.{} too", n.table, n.key,
                                   n.what, n.table, n.other));
   }
@@ -163,6 +160,12 @@ std::vector<std::string> notes_on_hazard_analysis(const StudyConfig& config) {
 }
 
 }  // namespace
+
+std::string one_mass_text(const StudyConfig& config) {
+  if (!config.building.is_one_mass()) return "";
+  return one_mass_sentence(config.building.is_one_storey ? std::optional(1.0) : std::nullopt,
+                           config.quantities.at("building", "period_s").largest());
+}
 
 std::vector<std::string> notes_on(const Plan& plan) {
   const StudyConfig& config = plan.config;

@@ -10,6 +10,9 @@
 
 namespace glissade {
 
+/// What one_mass_sentence() says of the study's building.
+std::string one_mass_text(const StudyConfig& config);
+
 /// Remarks on the results that follow from what is run.
 std::vector<std::string> notes_on(const Plan& plan);
 

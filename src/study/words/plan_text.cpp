@@ -15,11 +15,11 @@ namespace {
 std::string suites_text(const Plan& plan) {
   std::vector<std::string> texts;
   for (const Suite& suite : plan.suites)
-    texts.push_back(fmt::format("{}: {} motions", suite.name, suite.motions.size()));
+    texts.push_back(suite.name + ": " + counted(suite.motions.size(), "motion"));
   return fmt::format("{}", fmt::join(texts, "; "));
 }
 
-/// What is listed and what is drawn; what is as a default case has it is left out.
+/// What the study states, and what differs from a default case.
 std::string cases_text(const Plan& plan) {
   const StudyConfig& c = plan.config;
   std::string text;
@@ -27,7 +27,7 @@ std::string cases_text(const Plan& plan) {
   for (std::size_t i = 0; i < parameters().size(); ++i) {
     const Parameter& p = parameters()[i];
     const Quantity& quantity = c.quantities[i];
-    if (!quantity.is_drawn() && quantity.values == usual[i].values) continue;
+    if (!quantity.is_stated && !quantity.is_drawn() && quantity.values == usual[i].values) continue;
     text += fmt::format("{:<12}{}.{} {}{}\n", "", p.table, p.key, describe(quantity),
                         p.unit == std::string("-") ? "" : std::string(" ") + p.unit);
   }
@@ -55,15 +55,21 @@ std::string to_string(const Plan& plan) {
   std::string text = fmt::format(
       "study       {} (plan {})\n"
       "suite       {}\n"
-      "intensity   {}: {} levels, {:g} to {:g}{}\n"
+      "intensity   {}: {}, {}{}\n"
       "model       {}; because {}\n"
-      "cases       {} combinations x {} samples x {} orientation{}, of which {} differ\n"
+      "cases       {} x {} x {}, of which {} {}\n"
       "orientation {}\n{}",
-      c.name, plan.hash, suites_text(plan), intensity_label(c.intensity), levels.size(),
-      levels.front(), levels.back(), c.by_stripes ? "; multiple stripes, a suite for each" : "",
-      describe(plan.kernel.kernel, plan.config), plan.kernel.reason, plan.cases.combinations(),
-      plan.cases.samples, plan.cases.orientations, plan.cases.orientations == 1 ? "" : "s",
-      plan.order.size(), describe(c.orientation.choice), cases_text(plan));
+      c.name, plan.hash, suites_text(plan), intensity_label(c.intensity),
+      counted(levels.size(), "level"),
+      levels.size() == 1 ? fmt::format("{:g}", levels.front())
+                         : fmt::format("{:g} to {:g}", levels.front(), levels.back()),
+      c.by_stripes ? "; multiple stripes, a suite for each" : "",
+      describe(plan.kernel.kernel, plan.config), plan.kernel.reason,
+      counted(plan.cases.combinations(), "combination"), counted(plan.cases.samples, "sample"),
+      counted(plan.cases.orientations, "orientation"), plan.order.size(),
+      plan.order.size() == 1 ? "differs" : "differ", describe(c.orientation.choice),
+      cases_text(plan));
+  if (!c.not_stated.empty()) text += fmt::format("not stated  {}\n", fmt::join(c.not_stated, ", "));
   if (c.draws()) {
     text += fmt::format(
         "samples     {}, seed {}\n",
@@ -81,9 +87,11 @@ std::string to_string(const Plan& plan) {
       thresholds.push_back(length_value(length_m, c.units));
     text += fmt::format("thresholds  {:g} {}\n", fmt::join(thresholds, ", "), length_unit(c.units));
   }
-  text +=
-      fmt::format("work        {} histories in {} units{}\n", plan.histories(), plan.units.size(),
-                  c.fragility && !c.by_stripes ? ", and the search for capacities on top" : "");
+  text += fmt::format(
+      "work        {} in {}{}\n",
+      plan.histories() == 1 ? "1 history" : fmt::format("{} histories", plan.histories()),
+      counted(plan.units.size(), "unit"),
+      c.fragility && !c.by_stripes ? ", and the search for capacities on top" : "");
   for (const Skip& skip : plan.skips)
     text += fmt::format("not run     {}: {}\n", skip.what, skip.why);
   for (const std::string& warning : plan.warnings) text += fmt::format("warning     {}\n", warning);

@@ -10,10 +10,14 @@
 
 #include "glissade/core/finite.hpp"
 #include "glissade/core/quantile.hpp"
+#include "glissade/core/units.hpp"
+#include "glissade/core/wrap.hpp"
 #include "glissade/motion/improbable.hpp"
 #include "glissade/sampling/pull_test.hpp"
 #include "glissade/study/cases/probable.hpp"
+#include "glissade/study/plan/one_mass.hpp"
 #include "plan/plan_check.hpp"
+#include "words/plan_notes.hpp"
 
 namespace glissade {
 namespace {
@@ -25,6 +29,84 @@ Warnings one_axis(const Plan& plan) {
   return {
       "the array slides along one axis only (model.axes = 1): under both horizontal components "
       "it slides farther"};
+}
+
+/// Keys whose absence gives less displacement than most roofs have. Stated as 0 they are meant.
+Warnings not_stated(const Plan& plan) {
+  const Quantities& q = plan.config.quantities;
+  const auto is_left_out = [&](const char* table, const char* key) {
+    return !q.at(table, key).is_stated && q.at(table, key).is_always(0.0);
+  };
+  Warnings warnings;
+  if (is_left_out("building", "period_s") && !plan.suites.front().of_roof)
+    warnings.emplace_back(
+        "building.period_s is not stated: the building is taken as rigid; on a flexible one the "
+        "array slides farther. Give the period, period_s = 0 for a rigid building, or in the suite "
+        "motions = \"roof\" where the motions are those of a roof");
+  if (is_left_out("roof", "slope_deg"))
+    warnings.emplace_back(
+        "roof.slope_deg is not stated: the roof is taken as flat; on a slope the array slides "
+        "farther. Give the slope, or slope_deg = 0 for a flat roof");
+  if (is_left_out("building", "mass_ratio") && plan.config.base_shear)
+    warnings.emplace_back(
+        "building.mass_ratio is not stated: the array has no mass, and the base shear is that of "
+        "the building alone. Give the ratio, or mass_ratio = 0");
+  return warnings;
+}
+
+/// Of a building that may have several storeys.
+Warnings one_mass(const Plan& plan) {
+  const double longest_s = plan.config.quantities.at("building", "period_s").largest();
+  std::string text = longest_s > longest_one_mass_period_s ? one_mass_text(plan.config) : "";
+  if (text.empty()) return {};
+  return {text + ". Give building.storeys (1: it has one), alpha or modes"};
+}
+
+/// The factor on a record at level 1; 0 where it is not known before the roofs are computed.
+double factor_at_unit_level(const Plan& plan, std::size_t record) {
+  const bool is_rigid = plan.config.quantities.at("building", "period_s").is_always(0.0);
+  if (plan.config.intensity.measure != IntensityMeasure::ppa_g || !is_rigid)
+    return plan.factor_at_unit_level[record];
+  double peak_mps2 = 0.0;  // of the stronger component: of the other the factor is larger
+  for (const auto& component : plan.motion(record).horizontal_mps2)
+    for (const double a : component) peak_mps2 = std::max(peak_mps2, std::abs(a));
+  return peak_mps2 > 0.0 ? standard_gravity_mps2 / peak_mps2 : 0.0;
+}
+
+/// Records that are far from the strength to which they are scaled.
+Warnings scaled_records(const Plan& plan) {
+  constexpr std::size_t most_named = 5;
+  const IntensityConfig& intensity = plan.config.intensity;
+  const auto in_unit = [&](double level) {
+    const std::string unit = intensity.measure.unit();
+    return fmt::format("{:.4g}{}", level, unit == "-" ? "" : " " + unit);
+  };
+  std::vector<std::pair<double, std::string>> scaled;  // by the largest factor
+  for (std::size_t record = 0; record < plan.records.size(); ++record) {
+    const auto factor = [&, unit = factor_at_unit_level(plan, record)](double level) {
+      return unit * intensity.measure.factor_of_level(level);
+    };
+    const std::span<const double> levels = plan.levels_of(record);
+    const auto first = std::ranges::find_if(
+        levels, [&](double level) { return factor(level) > most_probable_factor; });
+    if (first == levels.end()) continue;
+    const double largest = factor(levels.back());
+    scaled.emplace_back(-largest,
+                        fmt::format("{} {:.3g} times at {}{}", plan.motion(record).id, largest,
+                                    in_unit(levels.back()),
+                                    *first < levels.back() ? ", from " + in_unit(*first) : ""));
+  }
+  if (scaled.empty()) return {};
+  std::ranges::stable_sort(scaled, {}, &std::pair<double, std::string>::first);
+  std::string named;
+  for (std::size_t i = 0; i < std::min(most_named, scaled.size()); ++i)
+    named += (i > 0 ? "; " : "") + scaled[i].second;
+  if (scaled.size() > most_named) named += fmt::format("; and {} more", scaled.size() - most_named);
+  return {fmt::format(
+      "scaled by more than {:g}, the limit of Baker & Lee (2018): {} of {}: {}. A weak motion "
+      "scaled so far has another spectrum and duration than a strong one: take stronger records, "
+      "or lower levels",
+      most_probable_factor, scaled.size(), counted(plan.records.size(), "record"), named)};
 }
 
 Warnings without_target(const Plan& plan) {
@@ -298,13 +380,29 @@ Warnings turned_roofs(const Plan& plan) {
 
 std::vector<std::string> warnings_on(const Plan& plan) {
   std::vector<std::string> warnings;
-  for (const auto warning : {without_target,       one_axis,           strong_levels,
-                             missed_targets,       few_for_rule,       target_values,
-                             stated_modes,         improbable_storeys, improbable_parameters,
-                             improbable_buildings, period_gaps,        low_friction,
-                             high_friction,        free_sliding,       other_targets,
-                             same_motions,         other_stripes,      motions,
-                             nearest_records,      turned_roofs}) {
+  for (const auto warning : {without_target,
+                             not_stated,
+                             one_mass,
+                             one_axis,
+                             strong_levels,
+                             scaled_records,
+                             missed_targets,
+                             few_for_rule,
+                             target_values,
+                             stated_modes,
+                             improbable_storeys,
+                             improbable_parameters,
+                             improbable_buildings,
+                             period_gaps,
+                             low_friction,
+                             high_friction,
+                             free_sliding,
+                             other_targets,
+                             same_motions,
+                             other_stripes,
+                             motions,
+                             nearest_records,
+                             turned_roofs}) {
     for (std::string& text : warning(plan)) warnings.push_back(std::move(text));
   }
   for_each_analysis(Analyses(), [&](auto analysis) {

@@ -9,6 +9,7 @@
 #include <iterator>
 #include <span>
 
+#include "glissade/core/wrap.hpp"
 #include "glissade/motion/suite_scaling.hpp"
 
 namespace glissade {
@@ -66,10 +67,10 @@ void note_uplift(const Results& results, const StudyConfig& config,
   std::size_t first = 0;
   while (share_at(first) == 0.0) ++first;
   notes.push_back(fmt::format(
-      "UPLIFT: {} of {} records ({}) lift the array off its roof in some histories, from {} on; at "
+      "UPLIFT: under {} of {} ({}) the array lifts off its roof in some histories, from {} on; at "
       "the highest level in {} of all. Uplift is outside the model: slip there is that of a block "
       "without friction while lifted (shares: tables)",
-      lifts.records.size(), results.records.size(), lifts.names(),
+      lifts.records.size(), counted(results.records.size(), "record"), lifts.names(),
       level_text(results, config, first), percent(share_at(results.levels.size() - 1))));
 }
 
@@ -130,9 +131,9 @@ void warn_of_dominance(const Results& results, std::vector<Warning>& warnings) {
       share /= static_cast<double>(records * spectra.periods_s.size());
       if (share > most_share)
         warnings.emplace_back(fmt::format(
-            "record {} is {:.0f} % of the suite's average spectrum, the other {} records the rest: "
+            "record {} is {:.0f} % of the suite's average spectrum, the other {} the rest: "
             "check its scale and units",
-            results.records[first + i].id, 100.0 * share, records - 1));
+            results.records[first + i].id, 100.0 * share, counted(records - 1, "record")));
     }
     first += records;
   }

@@ -36,6 +36,28 @@ TEST_F(ProjectChecks, bounds_without_the_period_between_them_are_a_warning) {
   EXPECT_THAT(with_bounds("[0.75, 1.5]"), Not(Contains(states("period_bounds"))));
 }
 
+// Not also that building.system is missing, nor the keys of a building without such motions.
+TEST_F(ProjectChecks, a_building_below_motions_of_its_roof_is_one_problem) {
+  folder_.write("suite.toml", "[suite]\nname = \"r\"\nmotions = \"roof\"\n");
+  for (const char* building : {"modes = [{ period_s = 0.5 }]", "height_m = \"40 ft\"",
+                               "weight_kn = 1000", "period_s = 0.5\nmodes = []"}) {
+    const std::vector<Problem> problems =
+        problems_of(changed(period + "\n" + mass_ratio, building));
+    ASSERT_EQ(problems.size(), std::string(building).starts_with("period_s") ? 2u : 1u) << building;
+    for (const Problem& problem : problems)
+      EXPECT_THAT(problem.suggestion, states("leave out all of [building] but storeys"));
+  }
+  folder_.write("suite.toml", "");
+  EXPECT_THAT(problems_of(with("[building]", "modes = []")),
+              Contains(Field(&Problem::suggestion, states("storeys and alpha"))));
+}
+
+TEST_F(ProjectChecks, lengths_that_are_refused_are_named_as_they_are_written) {
+  EXPECT_THAT(problems_of(whole_project + "[clearances]\nopen_edge_m = \"-2 ft\"\n"),
+              Contains(Field(&Problem::what,
+                             states("clearances.open_edge_m = '-2 ft' is not 0 or more"))));
+}
+
 TEST_F(ProjectChecks, what_no_rule_of_a_number_meets_is_a_warning) {
   const std::vector<std::string> usual = warnings_of(whole_project);
   const auto warned = [&](const std::string& from, const std::string& to, const auto& warning) {

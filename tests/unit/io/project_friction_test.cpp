@@ -81,6 +81,8 @@ TEST_F(FrictionOfProject, that_no_roof_has_is_refused_or_a_warning) {
   EXPECT_THAT(problems_of(changed("std = 0.04", "cov = 0.08")),
               Contains(is_problem(
                   "p.toml:15", std::vector<std::string>{"friction.mu.cov", "std = cov x mean"})));
+  EXPECT_THAT(problems_of(changed("mean = 0.5, std = 0.04", "median = 0.5, cov = 0.08")),
+              one_problem("p.toml:15", "friction.mu.cov", "std = cov x mean"));
   EXPECT_THAT(warnings_of(changed("mean = 0.5", "mean = 1.5")),
               Contains(states("mean friction of 1.5")));
   EXPECT_THAT(problems_of(tested("mu\n0.50\n0.54\n5.3\n")),

@@ -116,6 +116,24 @@ TEST(results_file, have_the_numbers_of_the_tables) {
   }
 }
 
+// alpha = 0 is a wall.
+TEST(results_file, tells_one_mass_from_a_cantilever) {
+  const TemporaryFolder folder;
+  const auto file = folder.path() / "a.h5";
+  Results results = with_everything();
+  const auto alpha_of = [&](BuildingModel::Kind kind) {
+    results.building.kind = kind;
+    write_results(file, results);
+    std::vector<double> stored;
+    Dims dims(1);
+    Hdf5Reader(file).group("cases").array("building.alpha", {}, dims, stored);
+    EXPECT_EQ(stored.size(), results.cases.size());
+    return stored;
+  };
+  EXPECT_THAT(alpha_of(BuildingModel::Kind::one_mass), testing::Each(testing::IsNan()));
+  EXPECT_THAT(alpha_of(BuildingModel::Kind::cantilever), testing::Each(0.0));
+}
+
 bool same_number(double a, double b) { return a == b || (std::isnan(a) && std::isnan(b)); }
 
 TEST(results_file, head_suites_and_records_come_back) {

@@ -32,8 +32,25 @@ TEST_F(StudyFile, a_mean_needs_its_deviation_which_is_not_relative) {
   };
   refuses(
       {{with("{ mean = 0.55 }"), "study.toml:10", {"friction.mu.std is missing", "mu = 0.55"}}});
+  EXPECT_THAT(lines_of([&] { read(with("{ mean = 0.55, cov = 0.08 }")); }), ElementsAre(10));
   EXPECT_THAT(error(with("{ mean = 0.55, cov = 0.08 }")),
               test::states("friction.mu.cov is not a known key", "std = cov x mean"));
+  for (const char* mu : {"{ median = 0.5, cov = 0.1 }",
+                         "{ distribution = \"lognormal\", median = 0.5, cov = 0.1 }"}) {
+    EXPECT_THAT(lines_of([&] { read(with(mu)); }), ElementsAre(10));
+    EXPECT_THAT(error(with(mu)), test::states("friction.mu.cov", "log_std = sqrt(ln(1 + cov^2))"));
+  }
+}
+
+// A number with a unit is named as it is written, or with the unit of its key.
+TEST_F(StudyFile, numbers_with_units_are_named_with_units) {
+  const std::string head = study_part + suite_part + intensity_part + friction_part;
+  EXPECT_THAT(error(head + "[fragility]\nthresholds_m = [\"-2 ft\"]\n"),
+              test::states("fragility.thresholds_m = '-2 ft' is not above 0"));
+  EXPECT_THAT(error(needed + "[building]\nperiod_s = [\"-300 ms\"]\n"),
+              test::states("building.period_s: -0.3 s is outside its range"));
+  EXPECT_THAT(error(head + "[fragility]\nthresholds_m = [\"2 ft\", \"1 ft\"]\n"),
+              test::states("0.6096 m is followed by 0.3048 m"));
 }
 
 TEST_F(StudyFile, several_suites_have_a_key_of_their_own) {

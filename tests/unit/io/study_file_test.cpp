@@ -149,6 +149,30 @@ modes_across = [{ period_s = 0.4, participation = 1.2, mass_share = 0.9, damping
   EXPECT_DOUBLE_EQ(modes_along(own.building, 1, {0.4, 0.05}, 0.0)[0].participation, 1.2);
 }
 
+TEST_F(StudyFile, one_storey_is_one_mass_by_intention) {
+  const StudyConfig one =
+      read(needed + "[building]\nperiod_s = 0.6\nstoreys = 1\nyield_coefficient = 0.2\n");
+  EXPECT_TRUE(one.building.is_one_mass());
+  EXPECT_TRUE(one.building.is_one_storey);
+  EXPECT_FALSE(read(needed).building.is_one_storey);
+}
+
+TEST_F(StudyFile, keys_that_are_left_out_and_have_an_effect_are_named_with_what_holds) {
+  const auto has = [](const char* text) { return testing::Contains(testing::StartsWith(text)); };
+  const std::vector<std::string> of_all = read(needed).not_stated;
+  for (const char* text : {"building.damping: 0.05", "building.alpha: one mass",
+                           "friction.across_mu: friction.mu", "building.period_ratio: 1"})
+    EXPECT_THAT(of_all, has(text));
+  for (const char* text : {"friction.mu", "building.hardening_ratio", "standards", "study"})
+    EXPECT_THAT(of_all, testing::Not(has(text)));
+  EXPECT_THAT(read(needed + "[building]\ndamping = 0.05\n").not_stated,
+              testing::Not(has("building.damping")));
+  EXPECT_THAT(read(needed + "[building]\nperiod_s = 1\nstoreys = 3\n").not_stated,
+              testing::Not(has("building.alpha")));
+  EXPECT_THAT(read(needed + "[model]\naxes = 1\n").not_stated,
+              testing::Not(has("building.period_ratio")));
+}
+
 TEST_F(StudyFile, what_is_left_out_takes_the_defaults_of_the_configuration) {
   const StudyConfig study = read(needed), defaults;
   for (std::size_t i = 0; i < parameters().size(); ++i) {

@@ -20,7 +20,9 @@ struct WholeReport {
 
 inline WholeReport report_of(const Results& results) {
   WholeReport report;
-  for (const Table& table : csv_tables(results)) report.tables.push_back(to_csv(table));
+  const std::vector<Table> tables = csv_tables(results);
+  for (const Table& table : tables) report.tables.push_back(to_csv(table));
+  report.tables.push_back(to_csv(columns_table(tables)));  // with titles and notes
   std::vector<DrawnFigure> figures;
   for (Figure& figure : make_figures(results)) figures.push_back({std::move(figure), "<svg/>"});
   report.page = html_report(results, figures);

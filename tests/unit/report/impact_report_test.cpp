@@ -38,7 +38,7 @@ TEST(impact_report, writes_table_figure_and_section) {
   const std::string html = read_text_file(folder / "report.html");
   EXPECT_THAT(html, states("id=\"figure_impact\"", "tables/impact.csv"));
   EXPECT_THAT(read_text_file(folder / "tables" / "impact.csv"),
-              states("\nrun,threshold_m,level_g,reached_share,reached_share_low95,"
+              states("run,threshold_m,level_g,reached_share,reached_share_low95,"
                      "reached_share_high95,p16_speed_mps,median_speed_mps,median_speed_low95_mps,"
                      "median_speed_high95_mps,p84_speed_mps,",
                      "median_energy_Jpkg,p84_energy_Jpkg,p16_time_s,median_time_s,p84_time_s\n"));

@@ -7,12 +7,12 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <sstream>
 
 #include "facts.hpp"
 #include "figure_facts.hpp"
 #include "glissade/core/wrap.hpp"
 #include "glissade/report/figures.hpp"
+#include "glissade/report/friction_report.hpp"
 #include "glissade/report/html.hpp"
 #include "glissade/report/summary.hpp"
 #include "glissade/report/tables.hpp"
@@ -38,7 +38,7 @@ Table small_table() {
 
 TEST(table, becomes_csv_with_units_quotes_and_empty_fields_for_nan) {
   EXPECT_EQ(to_csv(small_table()),
-            "# Two rows\nwho,slip_m,slip_low95_m,slip_high95_m\n\"a, "
+            "who,slip_m,slip_low95_m,slip_high95_m\n\"a, "
             "\"\"b\"\"\",0.254,0.2,0.3\n<c>,,,\n");
 }
 
@@ -85,7 +85,7 @@ TEST(table, has_numbers_of_their_own_unit_and_digits_in_a_column_of_text) {
   table.add({both});
   table.add({significant(0.30004, 3, "s")});
   table.add({fixed(std::nan(""), 3)});
-  EXPECT_EQ(to_csv(table), "# T\nvalue\n12.5 in (0.318 m)\n0.3 s\n-\n");
+  EXPECT_EQ(to_csv(table), "value\n12.5 in (0.318 m)\n0.3 s\n-\n");
   EXPECT_EQ(estimate_of(table.rows[0][0]).value, 12.5);
 }
 
@@ -94,7 +94,7 @@ TEST(table, has_no_text_that_is_a_formula_in_csv) {
   Table table{"t", "T", {text_column("id", "Id"), {"x", "", "x"}}, {}, {}};
   for (const char* id : {"=1+1", "+1", "-1", "@SUM(A1)", "\t=1", "a=1", "-"}) table.add({id, -1.0});
   EXPECT_EQ(to_csv(table),
-            "# T\nid,x\n'=1+1,-1\n'+1,-1\n'-1,-1\n'@SUM(A1),-1\n'\t=1,-1\na=1,-1\n-,-1\n");
+            "id,x\n'=1+1,-1\n'+1,-1\n'-1,-1\n'@SUM(A1),-1\n'\t=1,-1\na=1,-1\n-,-1\n");
 }
 
 // What a cell holds does not move those after it (hazard.csv had rows wider than its header).
@@ -107,7 +107,7 @@ TEST(table, has_the_fields_that_its_columns_declare_whatever_its_cells_hold) {
                {"d", "", "D"}},
               {}};
   table.add({NumberCell({0.5, {}}, "< "), 0.25, std::string("-"), 4.0});
-  EXPECT_EQ(to_csv(table), "# T\na,b,b_low95,b_high95,c,c_low95,c_high95,d\n0.5,0.25,,,-,,,4\n");
+  EXPECT_EQ(to_csv(table), "a,b,b_low95,b_high95,c,c_low95,c_high95,d\n0.5,0.25,,,-,,,4\n");
   EXPECT_THAT(to_text(table), states("< 50 %"));
 }
 
@@ -131,17 +131,30 @@ TEST(table, loses_just_the_column_it_is_shown_without) {
 
 TEST(tables, have_as_many_fields_in_every_row_as_in_the_header_and_say_where_they_are_in_plan) {
   for (const Table& table : csv_tables(made_up_results())) {
-    std::istringstream lines(to_csv(table));
-    std::string line;
-    std::getline(lines, line);
     const bool has_displacements = std::ranges::any_of(
         table.columns, [](const Column& column) { return column.kind == ColumnKind::length; });
-    EXPECT_EQ(line.find("isplacements are in plan") != std::string::npos, has_displacements)
+    EXPECT_EQ(table.title.find("isplacements are in plan") != std::string::npos, has_displacements)
         << table.name.text();
     EXPECT_THAT(to_csv(table), test::has_rows_as_wide_as_its_header()) << table.name.text();
-    EXPECT_EQ(std::ranges::count(to_csv(table), '\n'),
-              std::ssize(table.rows) + std::ssize(table.notes) + 2);
+    EXPECT_EQ(std::ranges::count(to_csv(table), '\n'), std::ssize(table.rows) + 1);
   }
+}
+
+// pd.read_csv takes the first line as the header.
+TEST(tables, begin_with_a_header_of_names_that_columns_csv_explains) {
+  std::vector<Table> tables = csv_tables(made_up_results());
+  tables.push_back(pull_tests_table(PullTestSummary{}));
+  const Table columns = columns_table(tables);
+  std::size_t names = 0;
+  for (const Table& table : tables) {
+    const std::string header = to_csv(table).substr(0, to_csv(table).find('\n'));
+    EXPECT_THAT(header, testing::MatchesRegex("[a-z][A-Za-z0-9_,]*")) << table.name.text();
+    names += static_cast<std::size_t>(std::ranges::count(header, ',')) + 1;
+  }
+  ASSERT_EQ(columns.rows.size(), names);
+  for (const std::vector<Cell>& row : columns.rows)
+    for (const std::size_t text : {0, 1, 2, 3, 4}) EXPECT_NE(std::get<std::string>(row[text]), "");
+  EXPECT_THAT(to_csv(columns), states("pull_tests,speed_mps,m/s,", "the sliding part"));
 }
 
 TEST(tables, and_figures_of_one_axis_say_so) {

@@ -286,7 +286,8 @@ TEST(plan, notes_quantities_without_effect) {
   StudyConfig config = small_config();
   const auto of_damping = testing::Contains(states("building.damping has no effect"));
   config.quantities.at("building", "period_s") = {{0.0}, {}};
-  config.quantities.at("building", "damping") = {{0.2}, {}};
+  EXPECT_THAT(small_plan(config).notes, testing::Not(of_damping));
+  config.quantities.at("building", "damping").is_stated = true;  // with its usual value
   EXPECT_THAT(small_plan(config).notes, of_damping);
   config.quantities.at("building", "period_s") = {{0.5}, {}};
   EXPECT_THAT(small_plan(config).notes, testing::Not(of_damping));
@@ -335,14 +336,87 @@ TEST(plan, notes_cases_outside_the_range_of_the_prescriptive_value) {
   EXPECT_THAT(small_plan(config).notes, outside("100 %"));
 }
 
-TEST(plan, notes_that_one_mass_gives_too_little_slip_on_several_storeys) {
+TEST(plan, warns_that_one_mass_gives_too_little_slip_on_several_storeys) {
   const auto of_one_mass = testing::Contains(states("one mass", "too little slip", "3.2 to 11"));
   StudyConfig config = small_config();
+  EXPECT_THAT(small_plan(config).warnings, of_one_mass);
+  EXPECT_THAT(small_plan(config).notes, testing::Not(of_one_mass));
+  config.building.is_one_storey = true;
+  EXPECT_THAT(small_plan(config).warnings, testing::Not(of_one_mass));
+  config.building.is_one_storey = false;
+  config.quantities.at("building", "period_s") = fixed(0.3);
+  EXPECT_THAT(small_plan(config).warnings, testing::Not(of_one_mass));
   EXPECT_THAT(small_plan(config).notes, of_one_mass);
   for (const double period_s : {0.0, 0.15}) {  // rigid, or of one storey
     config.quantities.at("building", "period_s") = fixed(period_s);
     EXPECT_THAT(small_plan(config).notes, testing::Not(of_one_mass));
   }
+}
+
+TEST(plan, warns_of_a_rigid_building_and_a_flat_roof_that_nobody_stated) {
+  StudyConfig config = small_config();
+  config.base_shear = true;
+  for (const auto& [table, key] :
+       {std::pair{"building", "period_s"}, {"roof", "slope_deg"}, {"building", "mass_ratio"}}) {
+    Quantity& quantity = config.quantities.at(table, key);
+    const auto warned =
+        testing::Contains(states(std::string(table) + "." + key + " is not stated", "= 0"));
+    quantity = fixed(0.0);
+    EXPECT_THAT(small_plan(config).warnings, warned);
+    quantity.is_stated = true;
+    EXPECT_THAT(small_plan(config).warnings, testing::Not(warned));
+  }
+}
+
+// Factors from the suite's: level 1 is each motion as its file scales it, by 1, 1.5 and 2.
+TEST(plan, warns_of_records_that_are_scaled_by_more_than_five) {
+  StudyConfig config = small_config();
+  config.standards.compare.clear();
+  config.intensity.measure = IntensityMeasure::factor;
+  config.intensity.levels = {0.5, 2.5, 4.0};
+  const auto warned = [](const auto&... parts) { return testing::Contains(states(parts...)); };
+  EXPECT_THAT(small_plan(config).warnings, warned("scaled by more than 5", "2 of 3 records",
+                                                  "motion2 8 times at 4; motion1 6 times at 4."));
+  config.intensity.levels = {0.5, 2.6, 4.0};
+  EXPECT_THAT(small_plan(config).warnings, warned("motion2 8 times at 4, from 2.6; motion1"));
+  config.intensity.levels = {0.5, 2.5};  // five times
+  EXPECT_THAT(small_plan(config).warnings, testing::Not(warned("scaled by more than")));
+  // Of the peak acceleration of a rigid roof the stronger component decides.
+  config.intensity.measure = IntensityMeasure::ppa_g;
+  config.quantities.at("building", "period_s") = fixed(0.0);
+  double peak_mps2 = 0.0;
+  for (const double a : small_suite().motions[0].horizontal_mps2[0])
+    peak_mps2 = std::max(peak_mps2, std::abs(a));
+  for (const double a : small_suite().motions[0].horizontal_mps2[1])
+    peak_mps2 = std::max(peak_mps2, std::abs(a));
+  config.intensity.levels = {0.5, 6.0 * peak_mps2 / standard_gravity_mps2};
+  EXPECT_THAT(small_plan(config).warnings, warned("motion0 6 times at"));
+}
+
+TEST(plan, lists_what_is_stated_where_it_is_as_usual_and_what_holds_where_it_is_not) {
+  StudyConfig config = small_config();
+  config.quantities.at("friction", "mu") = fixed(0.5);
+  EXPECT_THAT(to_string(small_plan(config)), testing::Not(testing::HasSubstr("friction.mu 0.5")));
+  config.quantities.at("friction", "mu").is_stated = true;
+  config.not_stated = {"building.damping: 0.05"};
+  EXPECT_THAT(to_string(small_plan(config)),
+              states("            friction.mu 0.5\n", "not stated  building.damping: 0.05\n"));
+}
+
+TEST(plan, writes_a_count_of_one_in_the_singular) {
+  StudyConfig config = small_config();
+  for (const auto& [table, key] : {std::pair{"building", "period_s"}, {"roof", "slope_deg"}})
+    config.quantities.at(table, key) = fixed(0.1);
+  config.quantities.at("friction", "mu") = fixed(0.5);
+  config.orientation.choice = OrientationChoice::as_recorded;
+  config.intensity.levels = {1.0};
+  config.sampling.samples = 1;
+  Suite suite = small_suite();
+  suite.motions.resize(1);
+  const std::string text = to_string(make_plan(config, {suite}));
+  EXPECT_THAT(text, states("small: 1 motion\n", "1 level, 1\n",
+                           "1 combination x 1 sample x 1 orientation, of which 1 differs",
+                           "1 history in 1 unit"));
 }
 
 // S_DS of the small suite's target is 1 g.
@@ -383,6 +457,7 @@ TEST(plan, warns_of_what_is_possible_and_not_probable) {
     StudyConfig config = small_config();
     config.model.axes = SlidingAxes::two;
     config.quantities.at("roof", "slope_deg") = fixed(1.19);
+    config.building.is_one_storey = true;
     change(config);
     return small_plan(config).warnings.size();
   };

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "glissade/block/friction_law.hpp"
+#include "glissade/building/building_model.hpp"
 #include "glissade/study/cases/orientation.hpp"
 
 namespace glissade {
@@ -43,8 +44,8 @@ struct Case {
   double period_s = 0.0;      ///< of the building along its first axis, without the array; 0: rigid
   double period_ratio = 1.0;  ///< two axes: period along the second axis over that along the first
   double damping = 0.05;
-  double alpha = 0.0;                  ///< of a cantilever of flexure and shear (BuildingModel)
-  double mass_ratio = 0.0;             ///< array over building
+  double alpha = 0.0;       ///< of a cantilever of flexure and shear alone (BuildingModel)
+  double mass_ratio = 0.0;  ///< array over building
   double response_modification = 0.0;  ///< R: yields at the design spectrum's elastic demand over
                                        ///< R; 0: it stays elastic
   double yield_coefficient = 0.0;      ///< yields at this part of its weight; 0: it stays elastic
@@ -84,11 +85,18 @@ struct Parameter {
   double& (*of)(Case&);
   enum class Axes { any, two } axes = Axes::any;  ///< two: allowed with [model] axes = 2 only
   const char* needs = nullptr;  ///< the key of its table that must not be as usual, for it to count
+  const char* absent = nullptr;  ///< "one mass": where no number is as its absence
+  /// Whether a building has it; null: every building has.
+  bool (*is_of)(const BuildingModel&) = nullptr;
 
   /// It decides how the roof moves: cases that differ in no such parameter share a roof.
   bool moves_roof() const;
   std::string name() const { return std::string(table) + "." + key; }  ///< "building.period_s"
+  /// Of its numbers in files.
+  std::string description() const;
 };
+/// NaN where the building has no such number.
+double value_of(const Parameter& parameter, const Case& c, const BuildingModel& building);
 std::span<const Parameter> parameters();
 /// The row of a key. Precondition: there is one.
 std::size_t parameter_index(const char* table, const char* key);

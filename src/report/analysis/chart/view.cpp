@@ -109,12 +109,11 @@ std::string chart_size(const Results& results) {
   const Chart& chart = *results.chart;
   const std::size_t histories =
       results.records.size() * results.cases.size() * results.levels.size();
-  return fmt::format("{} x {} x {} x {} of {}: {} points from {} histories",
-                     counted(chart.slope_deg.size(), "slope"),
-                     counted(chart.mu.size(), "coefficient") + " of friction",
-                     counted(chart.period_s.size(), "building period"),
-                     counted(results.levels.size(), "level"), results.intensity_label,
-                     chart.points.size(), histories);
+  return fmt::format(
+      "{} x {} x {} x {} of {}: {} from {} histories", counted(chart.slope_deg.size(), "slope"),
+      counted(chart.mu.size(), "coefficient") + " of friction",
+      counted(chart.period_s.size(), "building period"), counted(results.levels.size(), "level"),
+      results.intensity_label, counted(chart.points.size(), "point"), histories);
 }
 
 namespace {
@@ -161,9 +160,9 @@ std::string drawn_friction(const Results& results) {
   };
   if (set.axis("friction.mu") < set.axes.size() || !varies(&Case::friction)) return "";
   return fmt::format(
-      " Friction is drawn for each sample ({} samples): {}{}. The friction in the chart is the "
+      " Friction is drawn for each sample ({}): {}{}. The friction in the chart is the "
       "mean.",
-      set.samples, moments_over_samples(set, &Case::friction),
+      counted(set.samples, "sample"), moments_over_samples(set, &Case::friction),
       slides_on_two_axes(results)
           ? "; across the slope " + moments_over_samples(set, &Case::friction_across)
           : "");

@@ -21,8 +21,8 @@ std::string what_was_run(const Results& r) {
   const auto without = std::ranges::count_if(
       r.records, [](const RecordSummary& record) { return !record.has_vertical; });
   const ConditionGrid grid(r);
-  std::string text = fmt::format("{} conditions, {} records of {}", grid.count(), r.records.size(),
-                                 fmt::join(suites, ", "));
+  std::string text = fmt::format("{}, {} of {}", counted(grid.count(), "condition"),
+                                 counted(r.records.size(), "record"), fmt::join(suites, ", "));
   if (r.cases.orientations > 1) text += fmt::format(", {}", orientations_text(r));
   const Condition shown = shown_condition(grid);
   text += fmt::format(". Shown, where nothing else is stated: {}.", conditions_text(r, shown));
@@ -31,7 +31,9 @@ std::string what_was_run(const Results& r) {
                         shown[ConditionAxis::level] + 1 == grid.size(ConditionAxis::level)
                             ? "the highest"
                             : "the design earthquake");
-  if (without > 0) text += fmt::format(" {} of the records have no vertical component.", without);
+  if (without > 0)
+    text += fmt::format(" No vertical component: {}.",
+                        counted(static_cast<std::size_t>(without), "record"));
   const double uplift = uplift_share(r);
   if (uplift > 0.0)
     text += fmt::format(

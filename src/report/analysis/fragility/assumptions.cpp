@@ -72,10 +72,10 @@ std::string vertical_text(const std::vector<RecordSummary>& records) {
   const auto with =
       std::count_if(records.begin(), records.end(), [](const auto& r) { return r.has_vertical; });
   return fmt::format(
-      "{} of {} records have a vertical component. Where the study uses it, it changes the normal "
+      "With a vertical component: {} of {}. Where the study uses it, it changes the normal "
       "force and with it the friction; where the normal force would fall below zero the history is "
       "flagged as uplift, which is outside the model.",
-      with, records.size());
+      with, counted(records.size(), "record"));
 }
 
 /// What a reader takes from the numbers: fragilities, or a chart.

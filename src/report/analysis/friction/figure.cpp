@@ -62,9 +62,9 @@ DataSeries traces(const std::vector<PullTest>& tests, const PullTestSummary& sum
 Figure friction_figure(const std::vector<PullTest>& tests, const PullTestSummary& summary) {
   Figure figure{
       "friction", "Effective friction in pull tests",
-      fmt::format("a thin line for each of {} pulls, coloured where it slides: from {:g} m to "
+      fmt::format("a thin line for each of {}, coloured where it slides: from {:g} m to "
                   "where it stops",
-                  tests.size(), summary.rule.sliding_from_m),
+                  counted(tests.size(), "pull"), summary.rule.sliding_from_m),
       "Pull over normal force over displacement, a thin line for each test, coloured over its "
       "sliding part. Thick: the mean of sliding friction over the tests of a direction; dashed: "
       "mean - 2 std between tests."};
@@ -93,8 +93,8 @@ Figure friction_figure(const std::vector<PullTest>& tests, const PullTestSummary
         traces(tests, summary, direction.direction, PanelPart::whole, look(Role::record)),
         traces(tests, summary, direction.direction, PanelPart::sliding, thin)};
     panel.rules = {{Rule::Kind::horizontal, s.mean, solid,
-                    fmt::format("{}: mean of sliding friction {} ({} {})", direction.direction,
-                                format_number(s.mean), s.tests, s.tests == 1 ? "test" : "tests")}};
+                    fmt::format("{}: mean of sliding friction {} ({})", direction.direction,
+                                format_number(s.mean), counted(s.tests, "test"))}};
     if (s.tests > 1) {
       panel.rules.push_back(
           {Rule::Kind::horizontal, s.mean_minus_2_std, dashed,

@@ -10,16 +10,19 @@ Table pull_tests_table(const PullTestSummary& summary) {
   TableOf<T> t(
       "pull_tests",
       "Each pull: force over normal force, largest before it slips and over its sliding part");
-  t.text("test", "Test", "", &T::test);
-  t.text("direction", "Direction", "", &T::direction);
-  t.number("breakaway_mu", "Breakaway", "", &T::breakaway_mu);
-  t.number("sliding_mu", "Sliding, mean", "", &T::sliding_mu);
-  t.number("sliding_std", "Std", "", &T::sliding_std);
-  t.number("min_mu", "Least", "", &T::min_mu);
-  t.number("max_mu", "Largest", "", &T::max_mu);
-  t.number("mu_by_displacement", "Mean over displacement", "", &T::mu_by_displacement);
-  t.length("travel", "Travel", "", &T::travel_m);
-  t.number("speed", "Speed", "", &T::speed_mps, "m/s");
+  t.text("test", "Test", "name of the test", &T::test);
+  t.text("direction", "Direction", "direction of the pull", &T::direction);
+  t.number("breakaway_mu", "Breakaway", "largest friction before it slips", &T::breakaway_mu);
+  t.number("sliding_mu", "Sliding, mean", "mean over the samples of the sliding part",
+           &T::sliding_mu);
+  t.number("sliding_std", "Std", "standard deviation of these samples", &T::sliding_std);
+  t.number("min_mu", "Least", "least of these samples", &T::min_mu);
+  t.number("max_mu", "Largest", "largest of these samples", &T::max_mu);
+  t.number("mu_by_displacement", "Mean over displacement",
+           "mean over the displacement of the sliding part", &T::mu_by_displacement);
+  t.length("travel", "Travel", "length of the sliding part", &T::travel_m);
+  t.number("speed", "Speed", "mean speed of the sliding part; empty without time_s", &T::speed_mps,
+           "mps");
   t.add_each(summary.tests);
   return t;
 }
@@ -28,18 +31,20 @@ Table friction_table(const PullTestSummary& summary) {
   using M = MuStatistics;
   TableOf<DirectionFriction, M> t("friction",
                                   "Friction over the tests of a direction, each test one value");
-  t.text("direction", "Direction", "", &DirectionFriction::direction);
-  t.text("friction", "Friction", "", [](const DirectionFriction& of, const M& s) {
-    return &s == &of.sliding ? "sliding" : "breakaway";
-  });
-  t.count("tests", "Tests", "", &M::tests);
-  t.number("mean", "Mean", "", &M::mean);
-  t.number("std", "Std", "", &M::std);
-  t.number("mean_minus_2_std", "Mean - 2 std", "", &M::mean_minus_2_std);
-  t.number("lower_bound_95", "95 % lower bound", "", &M::lower_bound_95);
-  t.number("shapiro_wilk_w", "Shapiro-Wilk W", "",
+  t.text("direction", "Direction", "direction of the pulls", &DirectionFriction::direction);
+  t.text("friction", "Friction", "sliding or breakaway",
+         [](const DirectionFriction& of, const M& s) {
+           return &s == &of.sliding ? "sliding" : "breakaway";
+         });
+  t.count("tests", "Tests", "number of tests", &M::tests);
+  t.number("mean", "Mean", "mean over the tests", &M::mean);
+  t.number("std", "Std", "standard deviation between tests (n - 1)", &M::std);
+  t.number("mean_minus_2_std", "Mean - 2 std", "design value", &M::mean_minus_2_std);
+  t.number("lower_bound_95", "95 % lower bound",
+           "with 95 % confidence below 97.7 % of pulls (noncentral t)", &M::lower_bound_95);
+  t.number("shapiro_wilk_w", "Shapiro-Wilk W", "statistic of the test for normality",
            [](const M& s) { return s.normality ? s.normality->w : nan; });
-  t.number("shapiro_wilk_p", "p", "",
+  t.number("shapiro_wilk_p", "p", "its p-value",
            [](const M& s) { return s.normality ? s.normality->p_value : nan; });
   for (const DirectionFriction& d : summary.directions) {
     t.add(d, d.sliding);

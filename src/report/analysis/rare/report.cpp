@@ -171,10 +171,11 @@ std::vector<std::string> error_sentences(const Results& results) {
   if (results.reached_target) {
     const ReachedTarget& target = *results.reached_target;
     sentences.push_back(fmt::format(
-        "{} of at most {} scrambles were run, {} samples: half of the 95 % interval of a median, "
+        "Of at most {} scrambles {} were run, {}: half of the 95 % interval of a median, "
         "of the samples alone, is {:.3g} % of it or less (target {:g} %, {}).",
-        target.scrambles, target.most_scrambles, results.cases.samples, 100.0 * target.error,
-        100.0 * target.target_error, target.is_reached() ? "reached" : "not reached"));
+        target.most_scrambles, target.scrambles, counted(results.cases.samples, "sample"),
+        100.0 * target.error, 100.0 * target.target_error,
+        target.is_reached() ? "reached" : "not reached"));
   }
   return sentences;
 }

@@ -52,7 +52,7 @@ void number_records(const SuiteSpectra& spectra, Panel& panel) {
 Figure spectra_figure(const SuiteSpectra& spectra, const SpectraTexts& texts) {
   Figure figure{
       "spectra", "Response spectra of the motions, " + texts.scaled,
-      fmt::format("suite {}; {} records", texts.suite, spectra.records_g.size()),
+      "suite " + texts.suite + "; " + counted(spectra.records_g.size(), "record"),
       "Pseudo-acceleration spectra at 5 % damping: " +
           std::string(is_of_16_2(spectra.rule) ? "maximum over all directions (RotD100)"
                                                : "square root of the sum of squares (SRSS)") +

@@ -107,8 +107,8 @@ Table samples_table(const Results& results) {
   for (const Parameter& p : parameters()) {
     if (p.axes == Parameter::Axes::two && !slides_on_two_axes(results)) continue;
     const std::string unit = p.unit == std::string("-") ? "" : std::string(", ") + p.unit;
-    t.number(std::string(p.table) + "_" + p.key, std::string(p.key) + unit, "",
-             [&](const Case& c) { return value_of(p, c); });
+    t.number(std::string(p.table) + "_" + p.key, std::string(p.key) + unit, p.description() + unit,
+             [&](const Case& c) { return value_of(p, c, results.building); });
   }
   t.number("ground_azimuth_deg", "Ground azimuth, deg", "",
            [](const Case& c) { return c.orientation.ground_azimuth_deg; });

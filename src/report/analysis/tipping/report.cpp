@@ -65,10 +65,10 @@ std::vector<std::string> sentences(const Results& results) {
     ++rows;
   }
   return {fmt::format(
-      "TIPPING: {} begins to tip in some histories of {} of {} records, from {} on; at the highest "
+      "TIPPING: {} begins to tip in some histories of {} of {}, from {} on; at the highest "
       "level in {} of all{}. Tipping is outside the model: slip there is that of a body that does "
       "not tip.",
-      body, names.size(), results.records.size(), at_intensity(results, first),
+      body, names.size(), counted(results.records.size(), "record"), at_intensity(results, first),
       format_share(sum / rows),
       rows > 1 ? ", up to " + format_share(largest) + " of one combination" : "")};
 }
