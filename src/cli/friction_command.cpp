@@ -80,7 +80,7 @@ void run(const FrictionOptions& o) {
   const auto [tests, summary] = read_pull_test_results(o.tests, o.rule);
   if (!o.out.empty()) {
     const auto taken = take_folder(o.out);
-    write_friction_report(tests, summary, o.out, o.overwrite);
+    write_friction_report(tests, summary, o.out);
     taken->give_back();
   }
   if (o.json) {

@@ -4,6 +4,8 @@
 #include <tbb/task_arena.h>
 
 #include <csignal>
+#include <cstdlib>
+#include <exception>
 #include <new>
 #include <sstream>
 #include <string_view>
@@ -136,6 +138,8 @@ int end_with(const ExitStatus& ending) {
   }
 }
 
+constexpr const char* no_memory = "glissade: there is not enough memory for this\n";
+
 /// The same of the exception that is being handled, also where no memory is left for its message.
 int end_with_exception(int rank) {
   try {
@@ -143,7 +147,7 @@ int end_with_exception(int rank) {
     if (rank > 0) ending.message = fmt::format("rank {}: {}", rank, ending.message);
     return end_with(ending);
   } catch (const std::bad_alloc&) {
-    glissade::cli::say_text("glissade: there is not enough memory for this\n");
+    glissade::cli::say_text(no_memory);
     return 2;
   }
 }
@@ -176,9 +180,23 @@ int run_on(const glissade::Communicator& world, int argc, char** argv) {
   }
 }
 
+/// Memory can end in a function that must not throw: of CLI11, toml++ or the standard library. What
+/// is on the disk is as after a kill.
+[[noreturn]] void end_in_function_that_may_not_throw() noexcept {
+  try {
+    if (std::current_exception()) throw;
+  } catch (const std::bad_alloc&) {
+    glissade::cli::say_text(no_memory);
+    std::_Exit(2);
+  } catch (...) {
+  }
+  std::abort();
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
+  std::set_terminate(end_in_function_that_may_not_throw);
   glissade::cli::take_standard_files();
   std::signal(SIGXFSZ, SIG_IGN);  // a file-size limit becomes a write error, which is reported
   try {

@@ -44,7 +44,7 @@ std::string report_again(const ReportOptions& o) {
   }
   const auto taken = take_folder(out);
   if (!o.study.empty()) write_results(out / "results.h5", results, data_tables(results));
-  write_report(results, out, skips, o.overwrite);
+  write_report(results, out, skips);
   const fs::path run_json = out / "run.json";
   if (state_in(run_json) == RunState::unreported && plan_hash_in(run_json) == results.plan_hash &&
       fs::equivalent(file, out / "results.h5")) {

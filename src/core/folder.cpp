@@ -20,8 +20,9 @@ namespace fs = std::filesystem;
 // By the calls of the system: std::filesystem::directory_iterator ends the program where memory
 // ends (libstdc++ 12).
 std::vector<fs::path> files_in(const fs::path& folder) {
-  if (!fs::exists(status_of(folder))) return {};
-  const std::unique_ptr<DIR, int (*)(DIR*)> list(opendir(folder.c_str()), closedir);
+  const std::unique_ptr<DIR, int (*)(DIR*)> list(opendir(folder.empty() ? "." : folder.c_str()),
+                                                 closedir);
+  if (list == nullptr && (errno == ENOENT || errno == ENOTDIR)) return {};
   if (list == nullptr) throw_read_error(folder, "cannot be listed", errno);
   std::vector<fs::path> files;
   errno = 0;
@@ -51,6 +52,8 @@ void check_own(const fs::path& path, fs::file_type type, const char* fault) {
 }
 
 }  // namespace
+
+bool is_there(const fs::path& path) { return fs::exists(link_status_of(path)); }
 
 void check_own_file(const fs::path& file) {
   check_own(file, fs::file_type::regular, "is no regular file");

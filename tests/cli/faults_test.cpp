@@ -312,8 +312,7 @@ void unfinished(const fs::path& folder) {
   for (const char* name : {"package.html", "sites.html", "product.html"}) fs::remove(folder / name);
 }
 
-[[maybe_unused]] std::function<void(const fs::path&, const fs::path&)> finished_calculation(
-    std::string (*text)()) {
+std::function<void(const fs::path&, const fs::path&)> finished_calculation(std::string (*text)()) {
   const auto kept =
       std::make_shared<Kept>("clearance IN/project.toml --out OUT",
                              [text](const fs::path& in) { write(in / "project.toml", text()); });
@@ -324,7 +323,7 @@ void unfinished(const fs::path& folder) {
   };
 }
 
-[[maybe_unused]] std::function<void(const fs::path&, const fs::path&)> finished_run() {
+std::function<void(const fs::path&, const fs::path&)> finished_run() {
   const auto kept = std::make_shared<Kept>("run IN/study.toml --out OUT", [](const fs::path& in) {
     write(in / "study.toml", short_study());
   });
@@ -360,6 +359,10 @@ const std::vector<Walked> commands = {
        write(in / "study.toml", short_study());
        run_shell(line_of("run IN/study.toml --out OUT --walltime-s 0.01", in, out));
      }},
+    {"report", "report --overwrite OUT/results.h5", finished_run(), false, "", true},
+    {"clearance", "clearance --resume OUT", finished_calculation(moved_project)},
+    {"sites", "clearance --resume OUT", finished_calculation(two_roofs)},
+    {"product", "clearance --resume OUT", finished_calculation(small_product)},
     {"friction", "friction IN/pulls.csv --out OUT", write_pull_tests, true,
      "friction IN/pulls.csv --out OUT --overwrite"},
     one_file("import", "suite import IN --directions-from-names --out OUT/suite.toml",

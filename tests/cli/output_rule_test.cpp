@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gmock/gmock.h>
+#include <sys/stat.h>
 
 #include <functional>
 
 #include "cli/child.hpp"
+#include "cli/one_package.hpp"
 #include "cli/one_run.hpp"
 #include "cli/small_study.hpp"
 #include "glissade/io/journal.hpp"
+#include "glissade/report/results_folder.hpp"
 
 namespace glissade::test {
 namespace {
@@ -144,7 +147,7 @@ TEST_F(OutputRuleOfAFolder, files_of_the_user_stay_whatever_takes_the_place_of_a
   }
 }
 
-TEST_F(OutputRuleOfAFolder, a_report_whose_files_are_not_listed_is_written_over_by_name_only) {
+TEST_F(OutputRuleOfAFolder, what_is_not_listed_is_the_user_s_and_is_not_written_over) {
   const fs::path other = folder_->path("unlisted");
   fs::create_directory(other);
   fs::copy_file(out() / "results.h5", other / "results.h5");
@@ -153,39 +156,95 @@ TEST_F(OutputRuleOfAFolder, a_report_whose_files_are_not_listed_is_written_over_
   const std::string results = (other / "results.h5").string();
   expect_refused(run_program({"report", results}), {"--overwrite"});
   EXPECT_EQ(read_file(other / "tables/fragility.csv"), "old");
-  EXPECT_EQ(run_program({"report", results, "--overwrite"}).status, 0);
+  expect_refused(run_program({"report", results, "--overwrite"}),
+                 {"tables/fragility.csv", "report_files.txt does not list it", "move it away"});
+  EXPECT_EQ(read_file(other / "tables/fragility.csv"), "old");
+  fs::remove(other / "tables/fragility.csv");
+  succeeding({"report", results, "--overwrite"});
   EXPECT_EQ(read_file(other / "tables/fragility.csv"), read_file(out() / "tables/fragility.csv"));
   EXPECT_EQ(read_file(other / "tables/unknown.csv"), "old");
 }
 
+/// Of a pattern of output_names().
+std::string name_of(std::string pattern) {
+  for (std::size_t at = 0; (at = pattern.find_first_of("#*")) != std::string::npos;)
+    pattern.replace(at, 1, pattern[at] == '#' ? "1" : "fragility");
+  return pattern;
+}
+
 // Whoever gives somebody a results folder could have put links to that person's files into it.
-TEST_F(OutputRuleOfAFolder, nothing_is_written_replaced_or_removed_through_a_link) {
-  const std::string project = GLISSADE_SOURCE_DIR "/studies/permit_project.toml",
+TEST_F(OutputRuleOfAFolder, nothing_is_written_or_removed_where_a_name_is_taken) {
+  const std::string project = folder_->write("project.toml", moved_project()),
+                    sites = folder_->write("sites.toml", two_roofs()),
+                    product = folder_->write("product.toml", small_product()),
                     sheet = folder_->write("sheet.csv", "mu\n0.50\n0.54\n0.58\n");
   const fs::path stranger = folder_->path("stranger"), victim = folder_->path("victim");
+  const std::string there = stranger.string();
   const std::vector<std::vector<std::string>> commands = {
-      {"report", (stranger / "results.h5").string(), "--overwrite"},
-      {"report", (out() / "results.h5").string(), "--out", stranger.string(), "--overwrite"},
-      {"run", study_, "--out", stranger.string(), "--overwrite"},
-      {"run", "--resume", stranger.string()},
-      {"friction", sheet, "--out", stranger.string(), "--overwrite"},
-      {"clearance", project, "--out", stranger.string(), "--overwrite"}};
-  for (const char* name :
-       {"tables", "figures", "journal", "demand", "probability", "report.html", "run.json",
-        "package.html", "package.json", "demand.toml", "report_files.txt"}) {
-    for (const std::vector<std::string>& command : commands) {
+      {"run", study_, "--out", there, "--overwrite"},
+      {"run", "--resume", there},
+      {"report", (out() / "results.h5").string(), "--out", there, "--overwrite"},
+      {"friction", sheet, "--out", there, "--overwrite"},
+      {"clearance", project, "--out", there, "--overwrite"},
+      {"clearance", sites, "--out", there, "--overwrite"},
+      {"clearance", product, "--out", there, "--overwrite"},
+      {"clearance", "--resume", there}};
+  // Of a file of the user only those that would write it: by number in the list.
+  const auto would_write = [](const std::vector<std::string>& command, const std::string& name) {
+    const std::string file = command.size() > 1 ? fs::path(command[1]).filename().string() : "";
+    if (name.find('/') != std::string::npos || name == "report.html") return command[0] == "report";
+    for (const auto& [begin, project] : {std::pair{"package", "project.toml"},
+                                         {"demand.", "project.toml"},
+                                         {"probability.", "project.toml"},
+                                         {"sites.", "sites.toml"},
+                                         {"product", "product.toml"},
+                                         {"target_1.", "product.toml"}})
+      if (name.starts_with(begin)) return file == project;
+    return command[0] != "report";
+  };
+  std::size_t turn = 0;
+  for (const std::string& pattern : output_names()) {
+    const bool is_folder = pattern.ends_with('/');
+    const std::string name = name_of(is_folder ? pattern.substr(0, pattern.size() - 1) : pattern);
+    const fs::path path = stranger / name;
+    std::vector<std::string> kinds = {"link", "pipe", "folder", "file"};
+    for (std::size_t k = 0; k < kinds.size(); ++k) {
+      const std::string kind = kinds[k];
+      const std::vector<std::string>& command = commands[turn++ % commands.size()];
+      const bool resumes = command[1] == "--resume",
+                 is_named = kind != "file" && pattern.find('*') == std::string::npos;
+      if ((is_folder && kind == "folder") || (kind == "file" && name == "journal/1-1.units"))
+        continue;
+      if (!is_named && !(is_folder && kind == "file") && !name.starts_with("journal/") &&
+          !would_write(command, name)) {
+        kinds.push_back(kind);  // the next command
+        continue;
+      }
+      SCOPED_TRACE(command[0] + " " + command[1] + " with a " + kind + " " + name);
       fs::remove_all(stranger);
-      for (const char* file : {"thesis.pdf", "photo.svg", "mydata.csv", "run", "lock"})
-        folder_->write(std::string("victim/") + file, "mine");
-      fs::create_directory(stranger);
-      fs::copy_file(out() / "results.h5", stranger / "results.h5");
-      const bool is_folder = std::string(name).find('.') == std::string::npos;
-      fs::create_symlink(is_folder ? victim : victim / "thesis.pdf", stranger / name);
-      SCOPED_TRACE(command[0] + " with a link " + name);
-      expect_refused(run_program(command), {name, "is a link"});
-      for (const auto& file : fs::directory_iterator(victim))
-        EXPECT_EQ(read_file(file), "mine") << file.path();
-      EXPECT_EQ(std::distance(fs::directory_iterator(victim), {}), 5);
+      folder_->write("victim/mine", "mine");
+      fs::create_directories(path.parent_path());
+      if (resumes)  // of another calculation, as far as it was begun
+        folder_->write("stranger/run.json", R"({"command": "clearance", "project": ")" + project +
+                                                R"(", "project_sha256": "", "status": "started"})");
+      if (kind == "link") {
+        fs::remove(path);
+        fs::create_symlink(is_folder ? victim : victim / "mine", path);
+      } else if (kind == "pipe") {
+        fs::remove(path);
+        ASSERT_EQ(::mkfifo(path.c_str(), 0600), 0);
+      } else if (kind == "folder") {
+        fs::remove(path);
+        folder_->write("stranger/" + name + "/mine", "mine");
+      } else {
+        folder_->write("stranger/" + name, "mine");
+      }
+      expect_refused(run_program(command), {"stranger"});
+      EXPECT_EQ(read_file(victim / "mine"), "mine");
+      const fs::file_status status = fs::symlink_status(path);
+      EXPECT_TRUE(kind == "link"   ? fs::is_symlink(status)
+                  : kind == "pipe" ? fs::is_fifo(status)
+                                   : read_file(kind == "folder" ? path / "mine" : path) == "mine");
     }
   }
 }

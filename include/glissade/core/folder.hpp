@@ -10,6 +10,10 @@ namespace glissade {
 /// cannot be listed.
 std::vector<std::filesystem::path> files_in(const std::filesystem::path& folder);
 
+/// Whether there is anything of this name, a link too. Throws InputError where the system cannot
+/// tell.
+bool is_there(const std::filesystem::path& path);
+
 /// Throws InputError where the file is there and cannot be removed. Of a link the link is.
 void remove_file(const std::filesystem::path& file);
 

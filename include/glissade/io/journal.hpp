@@ -62,7 +62,9 @@ class RunLock {
   ~RunLock();
   RunLock(const RunLock&) = delete;
   RunLock& operator=(const RunLock&) = delete;
-  /// As the destructor does; throws InputError where the file cannot be removed.
+  /// Throws InputError where the folder was removed or moved since it was taken.
+  void check() const;
+  /// As the destructor does; throws InputError where check() does, or the file cannot be removed.
   void give_back();
   /// Removes the journals of an earlier run.
   void empty();

@@ -19,8 +19,8 @@ Table friction_table(const PullTestSummary& summary);
 Figure friction_figure(const std::vector<PullTest>& tests, const PullTestSummary& summary);
 
 /// Writes out_dir/tables/{friction,pull_tests}.csv and out_dir/figures/friction.{svg,pdf,gp,dat},
-/// in the place of an earlier report (report_files.hpp).
+/// in the place of an earlier report (results_folder.hpp).
 void write_friction_report(const std::vector<PullTest>& tests, const PullTestSummary& summary,
-                           const std::filesystem::path& out_dir, bool overwrite);
+                           const std::filesystem::path& out_dir);
 
 }  // namespace glissade

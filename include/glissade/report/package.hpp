@@ -40,10 +40,9 @@ const char* to_string(SeparationVerdict verdict);
 std::string package_screen(const CalculationPackage& package);
 
 /// Writes out_dir/package.html, and package.xlsx, with figures and tables beside it, in the place
-/// of an earlier one (report_files.hpp), and prints it to package.pdf: false where WeasyPrint is
-/// not installed or does not succeed. Throws InputError where a file cannot be written or gnuplot
-/// does not succeed.
-bool write_package(const CalculationPackage& package, const std::filesystem::path& out_dir,
-                   bool overwrite);
+/// of an earlier one (results_folder.hpp), and prints it to package.pdf: false where WeasyPrint is
+/// not installed. Throws InputError where a file cannot be written, or gnuplot or WeasyPrint does
+/// not succeed.
+bool write_package(const CalculationPackage& package, const std::filesystem::path& out_dir);
 
 }  // namespace glissade

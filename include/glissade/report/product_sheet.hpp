@@ -33,9 +33,8 @@ struct ProductSheet {
 std::string sheet_screen(const ProductSheet& sheet);
 
 /// Writes out_dir/product.html and product.xlsx, with tables beside them, in the place of earlier
-/// ones (report_files.hpp), and prints the page to product.pdf: false where WeasyPrint is not
-/// installed or does not succeed.
-bool write_product_sheet(const ProductSheet& sheet, const std::filesystem::path& out_dir,
-                         bool overwrite);
+/// ones (results_folder.hpp), and prints the page to product.pdf: false where WeasyPrint is not
+/// installed.
+bool write_product_sheet(const ProductSheet& sheet, const std::filesystem::path& out_dir);
 
 }  // namespace glissade

@@ -37,8 +37,7 @@ struct SiteSheets {
 std::string sites_screen(const SiteSheets& sheets);
 
 /// Writes out_dir/sites.html and sites.xlsx, with tables/sites.csv, and prints the page to
-/// sites.pdf: false where WeasyPrint is not installed or does not succeed.
-bool write_site_sheets(const SiteSheets& sheets, const std::filesystem::path& out_dir,
-                       bool overwrite);
+/// sites.pdf: false where WeasyPrint is not installed.
+bool write_site_sheets(const SiteSheets& sheets, const std::filesystem::path& out_dir);
 
 }  // namespace glissade

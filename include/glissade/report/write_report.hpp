@@ -10,10 +10,10 @@
 namespace glissade {
 
 /// Writes out_dir/report.html, out_dir/tables/*.csv and out_dir/figures/*.{svg,pdf,gp,dat} in the
-/// place of an earlier report (report_files.hpp). Tables are written first: they are there even
+/// place of an earlier report (results_folder.hpp). Tables are written first: they are there even
 /// where gnuplot is not. Throws InputError where a file cannot be written or gnuplot does not
 /// manage.
 void write_report(const Results& results, const std::filesystem::path& out_dir,
-                  const std::vector<Skip>& skips = {}, bool overwrite = false);
+                  const std::vector<Skip>& skips = {});
 
 }  // namespace glissade

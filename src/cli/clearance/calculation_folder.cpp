@@ -2,7 +2,6 @@
 #include "clearance/calculation_folder.hpp"
 
 #include <algorithm>
-#include <array>
 #include <optional>
 
 #include "commands.hpp"
@@ -14,6 +13,7 @@
 #include "glissade/io/study_file.hpp"
 #include "glissade/io/suite_file.hpp"
 #include "glissade/parallel/together.hpp"
+#include "glissade/report/results_folder.hpp"
 #include "glissade/study/plan/plan.hpp"
 #include "run/run_folder.hpp"
 #include "run/run_study.hpp"
@@ -70,16 +70,22 @@ void CalculationFolder::begin(
     if (resumes && now.project_sha256 != identity_.project_sha256)
       throw InputError({file.string(), "was changed since the calculation began",
                         "undo the change, or begin again with --overwrite", ""});
-    if (resumes && !is_part_ && is_whole(studies_)) {
+    if (resumes && !is_part_ && is_whole()) {
       put("{} is finished: {}\n", path_.string(), (path_ / (page_ + ".html")).string());
       throw ExitStatus{0};
     }
     identity_ = now;
     check_project_path(identity_.project);
     if (!resumes) check_calculation_folder(path_, options_.overwrite);
+    std::vector<std::string> files{page_ + ".json"}, made_later;
+    for (const std::string& study : studies_)
+      if (study.find('/') == std::string::npos) files.push_back(study + ".toml");
+    for (const char* ending : {".html", ".pdf", ".xlsx"}) made_later.push_back(page_ + ending);
+    check_files(path_, files);
+    check_files(path_, made_later);
     lock_ = take_folder(path_);
-    for (const char* ending : {".html", ".json", ".pdf", ".xlsx"})
-      remove_file(path_ / (page_ + ending));  // earlier
+    remove_listed(path_);  // earlier
+    begin_files(path_, files);
     write_begun_calculation(identity_, RunState::started, path_);
   });
   std::vector<char> out = path_text(path_);
@@ -114,29 +120,37 @@ void CalculationFolder::run(const std::string& name,
 }
 
 /// Everything that a finished calculation writes is there, and its results are whole.
-bool CalculationFolder::is_whole(const std::vector<std::string>& studies) const {
-  std::error_code ignored;
-  return is_finished_calculation(path_) &&
-         std::ranges::all_of(std::array{".html", ".json"},
-                             [&](const char* ending) {
-                               const auto bytes = fs::file_size(path_ / (page_ + ending), ignored);
-                               return !ignored && bytes > 0;
-                             }) &&
-         std::ranges::all_of(studies,
+bool CalculationFolder::is_whole() const {
+  return is_finished_calculation(path_) && glissade::is_whole(path_) &&
+         std::ranges::all_of(studies_,
                              [&](const std::string& study) { return has_results(path_ / study); });
 }
 
-void CalculationFolder::leave(int status) {
+void CalculationFolder::finish(const std::function<void()>& write,
+                               const std::function<void()>& state) {
+  const auto try_to = [&](const std::function<void()>& step) {
+    write_beside(path_, "keeps the results of its studies", resume_calculation_command(path_),
+                 step);
+  };
+  try_to(write);
+  lock_->check();
+  try_to(state);
+  lock_->give_back();
+}
+
+void CalculationFolder::leave(int status) noexcept try {
   std::error_code ignored;
   fs::remove(path_ / "stop", ignored);
   const bool has_study = !studies_.empty() && fs::exists(path_ / studies_.front(), ignored);
   if (status == 2 && !has_study) {
     fs::remove(path_ / "run.json", ignored);
+    remove_listed(path_);
     lock_.reset();
     fs::remove(path_, ignored);  // if empty
   } else if (has_study) {
     write_begun_calculation(identity_, RunState::stopped, path_);
   }
+} catch (const std::exception&) {  // run.json stays as it was
 }
 
 std::string page_text(const fs::path& folder, const std::string& page, bool is_printed) {

@@ -32,16 +32,17 @@ class CalculationFolder {
   void begin(const std::function<std::vector<std::string>(const std::filesystem::path&)>& read);
   /// Runs a study of the folder: the file, NAME.toml, is written on root, and run on all ranks.
   void run(const std::string& name, const std::function<std::string()>& text) const;
-  /// A finished one, on root.
-  void give_back() { lock_->give_back(); }
+  /// On root: what is made of the studies is written, then stated to be finished in run.json, and
+  /// the folder given back.
+  void finish(const std::function<void()>& write, const std::function<void()>& state);
   /// One that ended before, on root: refused, it gives back a folder that has nothing.
-  void leave(int status);
+  void leave(int status) noexcept;
 
   const std::filesystem::path& path() const { return path_; }
   const CalculationIdentity& identity() const { return identity_; }
 
  private:
-  bool is_whole(const std::vector<std::string>& studies) const;
+  bool is_whole() const;
 
   const ClearanceOptions& options_;
   const Communicator& world_;

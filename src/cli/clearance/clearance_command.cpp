@@ -84,9 +84,10 @@ class Calculation {
                                      folder_.identity().project_sha256,
                                      sha256_of_file(project_->suite),
                                      build_text()};
-    const bool is_printed = write_package(package, out, options_.overwrite);
-    write_finished_calculation(folder_.identity(), package, world_.size(), out);
-    folder_.give_back();
+    bool is_printed = false;
+    folder_.finish(
+        [&] { is_printed = write_package(package, out); },
+        [&] { write_finished_calculation(folder_.identity(), package, world_.size(), out); });
     sheet_ = site_sheet(package, out.filename().string());
     if (!site_)
       put("{}\nPackage  {}\n", package_screen(package), page_text(out, "package", is_printed));
@@ -136,9 +137,10 @@ void run_sites(const ClearanceOptions& options, const Communicator& world, std::
       sheets.sites.push_back(calculation.sheet());
     }
     on_root(world, [&] {
-      const bool is_printed = write_site_sheets(sheets, folder.path(), options.overwrite);
-      write_finished_sites(folder.identity(), sheets, world.size(), folder.path());
-      folder.give_back();
+      bool is_printed = false;
+      folder.finish(
+          [&] { is_printed = write_site_sheets(sheets, folder.path()); },
+          [&] { write_finished_sites(folder.identity(), sheets, world.size(), folder.path()); });
       put("{}\nSummary  {}\n", sites_screen(sheets), page_text(folder.path(), "sites", is_printed));
     });
   } catch (const ExitStatus& exit) {

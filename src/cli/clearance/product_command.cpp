@@ -27,8 +27,7 @@ std::vector<std::string> studies_of(const Product& product) {
   return names;
 }
 
-void write(const Product& product, CalculationFolder& folder, const Communicator& world,
-           bool overwrite) {
+void write(const Product& product, CalculationFolder& folder, const Communicator& world) {
   const std::vector<std::string> studies = studies_of(product);
   ProductSheet sheet{.product = product,
                      .is_simulated = record_files(product.suite).empty(),
@@ -40,9 +39,10 @@ void write(const Product& product, CalculationFolder& folder, const Communicator
     sheet.targets.push_back(sheet_target(product, product.targets[i], results));
     sheet.program_version = results.program_version;
   }
-  const bool is_printed = write_product_sheet(sheet, folder.path(), overwrite);
-  write_finished_product(folder.identity(), sheet, world.size(), folder.path());
-  folder.give_back();
+  bool is_printed = false;
+  folder.finish(
+      [&] { is_printed = write_product_sheet(sheet, folder.path()); },
+      [&] { write_finished_product(folder.identity(), sheet, world.size(), folder.path()); });
   put("{}\nSheet    {}\n", sheet_screen(sheet), page_text(folder.path(), "product", is_printed));
 }
 
@@ -62,7 +62,7 @@ void run_product(const ClearanceOptions& options, const Communicator& world) {
     for (std::size_t i = 0; i < count.size(); ++i)
       folder.run(fmt::format("target_{}", i + 1),
                  [&] { return product_study(*product, i, folder.path()); });
-    on_root(world, [&] { write(*product, folder, world, options.overwrite); });
+    on_root(world, [&] { write(*product, folder, world); });
   } catch (const ExitStatus& exit) {
     if (world.is_root()) folder.leave(exit.status);
     throw;

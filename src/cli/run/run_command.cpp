@@ -60,7 +60,8 @@ void on_root_threads(const Communicator& world, const std::function<void()>& wor
 
 /// What root does with the histories of all ranks.
 void write_all(const Plan& whole, RunHistories& all, std::uint64_t resumed,
-               const RunOptions& options, StopRequest& stop, PhaseClock& clock, int ranks) {
+               const RunOptions& options, StopRequest& stop, const RunLock& lock, PhaseClock& clock,
+               int ranks) {
   const fs::path out = options.folder();
   std::optional<Plan> ended;
   if (all.units < whole.units.size()) ended = first_blocks(whole, all.units);
@@ -76,10 +77,11 @@ void write_all(const Plan& whole, RunHistories& all, std::uint64_t resumed,
     write_text_file(out / "run.json", run_json(results, skips, clock, ranks, count, resumed,
                                                all.other_ranks_mb, what_to_do));
   };
-  write_beside_results(out, [&] {
+  write_beside(out / "results.h5", "is complete", resume_command(out), [&] {
     record(resume_command(out));
-    write_report(results, out, skips, options.overwrite);
+    write_report(results, out, skips);
     clock.end_phase("report");
+    lock.check();
     record("");
   });
   if (options.quiet) return;
@@ -272,7 +274,7 @@ void run_study(RunOptions options, const Communicator& world) {
   clock.end_phase("histories");
   on_root_threads(world, [&] {
     if (!options.part.is_all()) return end_part(out, options.part, done->units);
-    write_all(plan, *done, resumed, options, *stop, clock, world.size());
+    write_all(plan, *done, resumed, options, *stop, *stopped.lock, clock, world.size());
     stopped.lock->remove_journals();
   });
 }

@@ -16,9 +16,10 @@
 #include "glissade/core/input_file.hpp"
 #include "glissade/io/results_file.hpp"
 #include "glissade/io/study_file.hpp"
-#include "glissade/report/report_files.hpp"
+#include "glissade/report/results_folder.hpp"
 #include "glissade/report/write_report.hpp"
 #include "glissade/study/run/exchange.hpp"
+#include "run/stop_request.hpp"
 #include "shared/output_rule.hpp"
 #include "shared/put.hpp"
 
@@ -144,7 +145,7 @@ std::unique_ptr<RunLock> take_run_folder(const fs::path& folder, const Plan& pla
   try {
     lock->empty();
     for (const char* name : {"run.json", "results.h5", "stop"}) remove_file(folder / name);
-    remove_report(folder);
+    remove_listed(folder);
     for (const FinishedPart& part : parts) copy_journals(part.folder, folder);
     write_identity(folder, run);
     create_text_file(folder / "run.json", started_json(plan.config.name, plan.hash));
@@ -259,9 +260,27 @@ RunFolderGuard::~RunFolderGuard() {
   if (!folder_.empty() && std::uncaught_exceptions() > exceptions_) leave(folder_);
 }
 
+namespace {
+constexpr int stopped_status = 75;  // EX_TEMPFAIL of sysexits.h: try again
+}  // namespace
+
+void write_beside(const fs::path& kept, const char* words, const std::string& way_on,
+                  const std::function<void()>& write) {
+  try {
+    write();
+  } catch (const InputError& error) {
+    if (const std::string signal = received_signal(); !signal.empty())
+      throw ExitStatus{stopped_status, fmt::format("stopped by {}; {} {}. Go on with: {}", signal,
+                                                   kept.string(), words, way_on)};
+    ProblemList problems;
+    problems.add(error);
+    problems.add({kept.string(), words, "make the rest again with: " + way_on, ""});
+    problems.throw_if_any();
+  }
+}
+
 void end_stopped(const fs::path& folder, const std::string& reason, std::uint64_t done_units,
                  std::uint64_t units) {
-  constexpr int stopped_status = 75;  // EX_TEMPFAIL of sysexits.h: try again
   std::error_code ignored;
   fs::remove(folder / "stop", ignored);
   put_state(folder / "run.json", RunState::stopped,

@@ -3,6 +3,7 @@
 
 #include <exception>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <string>
 #include <utility>
@@ -108,19 +109,11 @@ void keeping_units(const std::filesystem::path& folder, Work work) {
 [[noreturn]] void end_stopped(const std::filesystem::path& folder, const std::string& reason,
                               std::uint64_t done_units, std::uint64_t units);
 
-/// What is made from the results can be made again: the error states how.
-template <class Write>
-void write_beside_results(const std::filesystem::path& folder, Write write) {
-  try {
-    write();
-  } catch (const InputError& error) {
-    ProblemList problems;
-    problems.add(error);
-    problems.add({(folder / "results.h5").string(), "is complete",
-                  "make the rest again with: " + resume_command(folder), ""});
-    problems.throw_if_any();
-  }
-}
+/// Writes what is made of results, and can be made again of them: an error states how, and so does
+/// the end by a signal, which gnuplot and WeasyPrint receive too (ExitStatus 75).
+/// @param kept what is there whole, and in which words; @param way_on the command
+void write_beside(const std::filesystem::path& kept, const char* words, const std::string& way_on,
+                  const std::function<void()>& write);
 
 /// "Seconds on 2 ranks: 6.03 (motions 1.20, ...)".
 void print_seconds(const PhaseClock& clock, int ranks);

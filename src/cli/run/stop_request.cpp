@@ -40,6 +40,11 @@ double seconds_between(auto from, auto to) {
 
 }  // namespace
 
+std::string received_signal() {
+  const auto* signal = std::ranges::find(stop_signals, received.load(), &StopSignal::number);
+  return signal == std::end(stop_signals) ? "" : signal->name;
+}
+
 StopRequest::StopRequest(std::vector<std::filesystem::path> stop_files, double walltime_s,
                          Clock::time_point start)
     : stop_files_(std::move(stop_files)), walltime_s_(walltime_s), start_(start) {
@@ -48,9 +53,7 @@ StopRequest::StopRequest(std::vector<std::filesystem::path> stop_files, double w
 
 bool StopRequest::requested() {
   if (!reason_.empty()) return true;
-  for (const StopSignal& signal : stop_signals) {
-    if (received == signal.number) reason_ = signal.name;
-  }
+  reason_ = received_signal();
   const auto now = Clock::now();
   if (now - looked_ > std::chrono::milliseconds(500)) {
     looked_ = now;

@@ -8,6 +8,9 @@
 
 namespace glissade::cli {
 
+/// Of those below, where one came: its name.
+std::string received_signal();
+
 /// Whether a run is to end before its time, and be resumed later: SIGINT, SIGTERM, SIGHUP (its
 /// terminal was closed) or SIGUSR1 came, its stop file is there, or its wall time is nearly over. A
 /// second SIGINT ends the process at once.

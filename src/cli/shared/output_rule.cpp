@@ -6,25 +6,19 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <array>
 #include <cerrno>
 #include <system_error>
 
 #include "glissade/core/error.hpp"
 #include "glissade/core/file.hpp"
 #include "glissade/core/folder.hpp"
+#include "glissade/report/results_folder.hpp"
+#include "run/run_record.hpp"
 
 namespace glissade::cli {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// What commands write into a results folder.
-constexpr std::array own_folders{"tables", "figures", "journal", "demand", "probability"};
-constexpr std::array own_files{"results.h5",       "run.json",     "report.html",
-                               "report_files.txt", "package.html", "package.json",
-                               "package.pdf",      "package.xlsx", "demand.toml",
-                               "probability.toml", "journal/run",  "journal/lock"};
 
 [[noreturn]] void refuse(const std::string& option, const fs::path& path, const char* why) {
   throw InputError({option, path.string() + ' ' + why + ": existing files are not overwritten",
@@ -54,15 +48,28 @@ void check_may_write(const fs::path& folder, const std::string& option) {
 
 /// `run.json` of `run.json.partial.123`, which a killed command left.
 bool is_partial_of_own(const fs::path& folder, const fs::path& file) {
-  const fs::path whole = file.parent_path() / whole_name(file.filename());
-  return whole != file &&
-         std::ranges::any_of(own_files, [&](const char* name) { return folder / name == whole; });
+  const std::string whole = whole_name((file.lexically_relative(folder)).string());
+  return !whole.empty() && is_output_name(whole);
+}
+
+/// A command of glissade: else a run.json or results.h5 is the user's.
+bool has_begun(const fs::path& folder) {
+  const fs::path run_json = folder / "run.json";
+  try {
+    static_cast<void>(read_identity(folder));
+    return true;
+  } catch (const InputError&) {  // none, or a file of the user
+  }
+  return is_there(folder / "report_files.txt") ||
+         (is_there(run_json) && read_run_json(run_json).contains("status"));
 }
 
 /// Nothing, or what a command that was killed at its begin left: it computed nothing.
 bool is_free(const fs::path& folder) {
   const auto is_left = [&](const fs::path& file) {
-    return file == folder / "journal/lock" || is_partial_of_own(folder, file);
+    std::error_code ignored;
+    return (file == folder / "journal/lock" && fs::is_empty(file, ignored)) ||
+           is_partial_of_own(folder, file);
   };
   return std::ranges::all_of(files_in(folder), [&](const fs::path& file) {
     return file == folder / "journal" ? std::ranges::all_of(files_in(file), is_left)
@@ -95,15 +102,16 @@ void check_output_file(const fs::path& file, const std::string& option, bool ove
     check_may_write(file.has_parent_path() ? file.parent_path() : ".", option);
 }
 
-void check_own(const fs::path& folder) {
-  for (const char* name : own_folders) check_own_folder(folder / name);
-  for (const char* name : own_files) check_own_file(folder / name);
-}
-
 void check_output_folder(const fs::path& folder, bool overwrite) {
   check_folder(folder);
   check_may_write(folder, "--out");
   if (!overwrite && !is_free(folder)) refuse("--out", folder, "holds a run or other files");
+  if (has_begun(folder)) return;
+  for (const char* name : {"run.json", "results.h5", "stop", "journal/run"})
+    if (is_there(folder / name))
+      throw InputError({(folder / name).string(),
+                        "is there already, and no command of glissade began in this folder",
+                        "move it away, or give another --out", ""});
 }
 
 void check_report_folder(const fs::path& folder, bool overwrite) {

@@ -23,16 +23,12 @@ void check_output_file(const std::filesystem::path& file, const std::string& opt
 /// The path up to its last folder (or file) that exists.
 std::filesystem::path existing_part(const std::filesystem::path& path);
 
-/// Throws InputError where the folder holds anything (without `overwrite`), is no folder, or could
-/// not be written to. It need not exist.
+/// Throws InputError where the folder holds anything (without `overwrite`) or a run.json or
+/// results.h5 of the user, is no folder, or could not be written to. It need not exist.
 void check_output_folder(const std::filesystem::path& folder, bool overwrite);
 
 /// Throws InputError where the folder, which may hold other files, holds a report.
 void check_report_folder(const std::filesystem::path& folder, bool overwrite);
-
-/// Throws InputError where one of the names that the program writes below a results folder is a
-/// link, or is no file (folder): what it leads to is not the program's.
-void check_own(const std::filesystem::path& folder);
 
 /// Before a command writes into a results folder: no other can take it. What commands left there
 /// that were killed while they wrote a file is removed.

@@ -48,7 +48,11 @@ int open_lock(const JournalNames& names) {
   }
   const int fd = ::open(names.lock.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW, 0666);
   if (fd < 0) throw_io_error(names.lock, "cannot be opened for writing", errno);
-  return fd;
+  struct stat file = {};
+  if (::fstat(fd, &file) == 0 && file.st_size == 0) return fd;
+  ::close(fd);
+  throw InputError(
+      {names.lock.string(), "is not as glissade writes it: it is not empty", "move it away", ""});
 }
 
 void remove_files(const JournalNames& names) {
@@ -79,8 +83,15 @@ RunLock::~RunLock() {
   }
 }
 
+void RunLock::check() const {
+  if (fd_ >= 0 && !is_still(fd_, JournalNames(folder_).lock))
+    throw InputError({folder_.string(), "was removed or moved while it was written to",
+                      "run the command again", ""});
+}
+
 void RunLock::give_back() {
   if (fd_ < 0) return;
+  check();
   const JournalNames names(folder_);
   // Removed before the lock is given back: nobody else takes it then. On a network file system an
   // open file stays in its folder until it is closed.

@@ -13,7 +13,6 @@
 #include "package/print/pdf.hpp"
 #include "package/print/print_head.hpp"
 #include "package/print/printable.hpp"
-#include "package/print/workbook.hpp"
 #include "package/sections.hpp"
 #include "package/sketch.hpp"
 #include "package/tables.hpp"
@@ -170,8 +169,7 @@ SiteSheet site_sheet(const CalculationPackage& package, const std::string& folde
   return sheet;
 }
 
-bool write_package(const CalculationPackage& package, const std::filesystem::path& out_dir,
-                   bool overwrite) {
+bool write_package(const CalculationPackage& package, const std::filesystem::path& out_dir) {
   const LengthUnits units(package.project.units);
   const UserTexts texts(user_texts(package));
   const Project& project = package.project;
@@ -201,37 +199,41 @@ bool write_package(const CalculationPackage& package, const std::filesystem::pat
   if (!project.of_roof) tables.push_back(record_spectra_table(package));
   if (!project.friction.tested.empty()) tables.push_back(pull_tests_table(project.friction));
   for (Table& table : given_curves(project)) tables.push_back(std::move(table));
-  write_workbook(tables, out_dir / "package.xlsx");
-  std::vector<DrawnFigure> figures = write_parts(
-      {"package.html", std::move(tables), package_figures(package)}, out_dir, overwrite);
-  for (DrawnFigure& drawn : figures) drawn.svg = printable(drawn.svg);
-  const bool has_demand_figure = !project.of_roof && figures.size() > 2;
-  const Html page =
-      print_head(
-          {project.title.name, "calculation of required separations", in_inches() ? letter : a4},
-          {project.title.name, project.title.revision, project.title.date,
-           project.simulated_motions}) +
-      paragraph(
-          "Calculation of the seismic displacement of an unanchored rooftop solar array, and "
-          "of its required separations") +
-      title_html(project) + answer_html(package) + warnings_box(other_warnings(package.design)) +
-      contents_html() + scope_html(package) + section_heading(Section::criteria) +
-      plain_table(criteria_table(package)) + given_curves_html(project) +
-      section_heading(Section::building) + plain_table(building_table(package)) +
-      section_heading(Section::array) + "<div class=\"inputs\">\n" +
-      plain_table(array_table(package)) + "</div>\n" + section_heading(Section::friction) +
-      "<div class=\"inputs\">\n" + page_table(friction_table(package)) + "</div>\n" +
-      (project.friction.tested.empty() ? Html() : page_table(pull_tests_table(project.friction))) +
-      section_heading(Section::motions) + motions_html(package, figures) +
-      result_html(package, has_demand_figure ? figure_html(figures.at(1), 2) : Html()) +
-      separations_html(package) + section_heading(Section::sensitivity) +
-      page_table(sensitivity_table(package)) +
-      probability_html(package, figure_html(figures.back(), figures.size())) +
-      section_heading(Section::plausibility) + page_table(roof_accelerations_table(package)) +
-      by_hand_html(package) + section_heading(Section::provisions) +
-      "<div class=\"provisions\">\n" + page_table(provisions_table(package)) + "</div>\n" +
-      checks_html(package) + references_html() + inputs_html(package);
-  return write_and_print(page, out_dir / "package.html");
+  bool is_printed = false;
+  const auto write_page = [&](std::vector<DrawnFigure> figures) {
+    for (DrawnFigure& drawn : figures) drawn.svg = printable(drawn.svg);
+    const bool has_demand_figure = !project.of_roof && figures.size() > 2;
+    const Html page =
+        print_head(
+            {project.title.name, "calculation of required separations", in_inches() ? letter : a4},
+            {project.title.name, project.title.revision, project.title.date,
+             project.simulated_motions}) +
+        paragraph(
+            "Calculation of the seismic displacement of an unanchored rooftop solar array, and "
+            "of its required separations") +
+        title_html(project) + answer_html(package) + warnings_box(other_warnings(package.design)) +
+        contents_html() + scope_html(package) + section_heading(Section::criteria) +
+        plain_table(criteria_table(package)) + given_curves_html(project) +
+        section_heading(Section::building) + plain_table(building_table(package)) +
+        section_heading(Section::array) + "<div class=\"inputs\">\n" +
+        plain_table(array_table(package)) + "</div>\n" + section_heading(Section::friction) +
+        "<div class=\"inputs\">\n" + page_table(friction_table(package)) + "</div>\n" +
+        (project.friction.tested.empty() ? Html()
+                                         : page_table(pull_tests_table(project.friction))) +
+        section_heading(Section::motions) + motions_html(package, figures) +
+        result_html(package, has_demand_figure ? figure_html(figures.at(1), 2) : Html()) +
+        separations_html(package) + section_heading(Section::sensitivity) +
+        page_table(sensitivity_table(package)) +
+        probability_html(package, figure_html(figures.back(), figures.size())) +
+        section_heading(Section::plausibility) + page_table(roof_accelerations_table(package)) +
+        by_hand_html(package) + section_heading(Section::provisions) +
+        "<div class=\"provisions\">\n" + page_table(provisions_table(package)) + "</div>\n" +
+        checks_html(package) + references_html() + inputs_html(package);
+    is_printed = write_and_print(page, out_dir / "package.html");
+  };
+  write_parts({"package.html", std::move(tables), package_figures(package), "package.xlsx"},
+              out_dir, write_page);
+  return is_printed;
 }
 
 }  // namespace glissade

@@ -6,7 +6,6 @@
 #include "glissade/core/wrap.hpp"
 #include "package/print/pdf.hpp"
 #include "package/print/print_head.hpp"
-#include "package/print/workbook.hpp"
 #include "package/units.hpp"
 #include "page/symbols.hpp"
 
@@ -46,15 +45,12 @@ std::string sites_screen(const SiteSheets& sheets) {
          "\n";
 }
 
-bool write_site_sheets(const SiteSheets& sheets, const std::filesystem::path& out_dir,
-                       bool overwrite) {
+bool write_site_sheets(const SiteSheets& sheets, const std::filesystem::path& out_dir) {
   std::vector<std::string> names{sheets.name};
   for (const SiteSheet& site : sheets.sites)
     names.insert(names.end(), site.user_texts.begin(), site.user_texts.end());
   const UserTexts texts(names);
   const Table table = sites_table(sheets);
-  write_workbook({table}, out_dir / "sites.xlsx");
-  write_parts({"sites.html", {table}, {}}, out_dir, overwrite);
   const bool is_simulated = std::ranges::any_of(sheets.sites, &SiteSheet::is_simulated);
   Html page = print_head({sheets.name, "required separations by site",
                           sheets.units == UnitSystem::us_customary ? letter : a4},
@@ -65,7 +61,10 @@ bool write_site_sheets(const SiteSheets& sheets, const std::filesystem::path& ou
                   "required separations, by site") +
               wide_table(table);
   for (const SiteSheet& site : sheets.sites) page += site.page;
-  return write_and_print(page, out_dir / "sites.html");
+  bool is_printed = false;
+  write_parts({"sites.html", {table}, {}, "sites.xlsx"}, out_dir,
+              [&](auto) { is_printed = write_and_print(page, out_dir / "sites.html"); });
+  return is_printed;
 }
 
 }  // namespace glissade

@@ -8,7 +8,8 @@
 #include "glissade/core/file.hpp"
 #include "glissade/core/in_parallel.hpp"
 #include "glissade/core/wrap.hpp"
-#include "glissade/report/report_files.hpp"
+#include "glissade/report/results_folder.hpp"
+#include "package/print/workbook.hpp"
 
 namespace glissade {
 namespace {
@@ -113,18 +114,21 @@ Html figures_html(const std::vector<DrawnFigure>& figures) {
   return html;
 }
 
-std::vector<DrawnFigure> write_parts(ReportParts parts, const std::filesystem::path& out_dir,
-                                     bool overwrite) {
+void write_parts(ReportParts parts, const std::filesystem::path& out_dir,
+                 const std::function<void(std::vector<DrawnFigure>)>& write_page) {
   parts.tables.push_back(columns_table(parts.tables));
   std::vector<std::string> names;
   if (!parts.page.empty()) names.push_back(parts.page);
+  const bool has_workbook = makes_workbooks && !parts.workbook.empty();
+  if (has_workbook) names.push_back(parts.workbook);
   for (const Table& table : parts.tables) names.push_back("tables/" + (table.name + ".csv"));
   for (const Figure& figure : parts.figures)
     for (const char* ending : {".dat", ".gp", ".svg", ".pdf"})
       names.push_back("figures/" + (figure.name + ending));
-  begin_report(out_dir, names, overwrite);
+  begin_files(out_dir, names);
   for (const Table& table : parts.tables)
     write_text_file(out_dir / "tables" / (table.name + ".csv"), to_csv(table));
+  if (has_workbook) write_workbook(parts.tables, out_dir / parts.workbook);
   std::vector<DrawnFigure> drawn(parts.figures.size());
   in_parallel(drawn.size(), [&](std::size_t i) {
     Figure& figure = parts.figures[i];
@@ -132,7 +136,8 @@ std::vector<DrawnFigure> write_parts(ReportParts parts, const std::filesystem::p
     std::string svg = read_text_file(out_dir / "figures" / (figure.name + ".svg"));
     drawn[i] = {std::move(figure), std::move(svg)};
   });
-  return drawn;
+  write_page(std::move(drawn));
+  end_report(out_dir, names);
 }
 
 }  // namespace glissade

@@ -34,14 +34,16 @@ Html wide_table(const Table& table);
 /// The table; where it is long, that it is a file.
 Html table_or_file(const Table& table);
 struct ReportParts {
-  std::string page;  ///< its file, which the caller writes; empty: none
+  std::string page;  ///< its file; empty: none
   std::vector<Table> tables;
   std::vector<Figure> figures;
+  std::string workbook = "";  ///< the file of all tables; empty: none
 };
-/// In the place of an earlier report (begin_report): writes out_dir/tables/NAME.csv of each table
-/// and of their columns, then draws into out_dir/figures.
-std::vector<DrawnFigure> write_parts(ReportParts parts, const std::filesystem::path& out_dir,
-                                     bool overwrite);
+/// In the place of an earlier report (results_folder.hpp): writes out_dir/tables/NAME.csv of each
+/// table and of their columns, and the workbook, draws into out_dir/figures, and has the page
+/// written.
+void write_parts(ReportParts parts, const std::filesystem::path& out_dir,
+                 const std::function<void(std::vector<DrawnFigure>)>& write_page);
 /// Drawings in order, each with its number, title and caption.
 Html figures_html(const std::vector<DrawnFigure>& figures);
 /// Scrolls sideways where the screen is too narrow for its letters.

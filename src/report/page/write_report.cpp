@@ -13,13 +13,14 @@
 namespace glissade {
 
 void write_report(const Results& results, const std::filesystem::path& out_dir,
-                  const std::vector<Skip>& skips, bool overwrite) {
+                  const std::vector<Skip>& skips) {
   const LengthUnits units(results.units);
   const UserTexts texts(user_texts(results));
-  std::vector<DrawnFigure> figures =
-      write_parts({"report.html", csv_tables(results), make_figures(results)}, out_dir, overwrite);
-  for (DrawnFigure& drawn : figures) drawn.svg = printable(drawn.svg);
-  write_text_file(out_dir / "report.html", html_report(results, figures, skips));
+  write_parts({"report.html", csv_tables(results), make_figures(results)}, out_dir,
+              [&](std::vector<DrawnFigure> figures) {
+                for (DrawnFigure& drawn : figures) drawn.svg = printable(drawn.svg);
+                write_text_file(out_dir / "report.html", html_report(results, figures, skips));
+              });
 }
 
 }  // namespace glissade

@@ -11,7 +11,6 @@
 #include "glissade/report/format.hpp"
 #include "package/print/pdf.hpp"
 #include "package/print/print_head.hpp"
-#include "package/print/workbook.hpp"
 #include "package/tables.hpp"
 #include "page/symbols.hpp"
 #include "product/tables.hpp"
@@ -87,8 +86,7 @@ std::string sheet_screen(const ProductSheet& sheet) {
   return text;
 }
 
-bool write_product_sheet(const ProductSheet& sheet, const std::filesystem::path& out_dir,
-                         bool overwrite) {
+bool write_product_sheet(const ProductSheet& sheet, const std::filesystem::path& out_dir) {
   const Product& product = sheet.product;
   std::vector<std::string> names{product.name, product.manufacturer, product.revision,
                                  product.date};
@@ -103,8 +101,6 @@ bool write_product_sheet(const ProductSheet& sheet, const std::filesystem::path&
   tables.push_back(all_displacements_table(sheet));
   const Table motions = motions_table(sheet.targets.front().records, {}, /*of_roof=*/false);
   tables.push_back(motions);
-  write_workbook(tables, out_dir / "product.xlsx");
-  write_parts({"product.html", std::move(tables), {}}, out_dir, overwrite);
   std::string plans;
   for (const SheetTarget& of : sheet.targets) plans += (plans.empty() ? "" : ", ") + of.plan_hash;
   const Html page =
@@ -121,8 +117,12 @@ bool write_product_sheet(const ProductSheet& sheet, const std::filesystem::path&
           "{}. The same files and version give the same numbers. All digits are in "
           "tables/displacements.csv.",
           sheet.program_version, sheet.build, plans, sheet.product_sha256, sheet.suite_sha256)) +
-      "<h3>Product file, without its comments</h3>\n" + study_file(product.source_text);
-  return write_and_print(page, out_dir / "product.html");
+      "<h3>Product file, without its comments</h3>\n" +
+      study_file(product.source_text);
+  bool is_printed = false;
+  write_parts({"product.html", std::move(tables), {}, "product.xlsx"}, out_dir,
+              [&](auto) { is_printed = write_and_print(page, out_dir / "product.html"); });
+  return is_printed;
 }
 
 }  // namespace glissade

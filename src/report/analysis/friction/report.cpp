@@ -54,7 +54,7 @@ Table friction_table(const PullTestSummary& summary) {
 }
 
 void write_friction_report(const std::vector<PullTest>& tests, const PullTestSummary& summary,
-                           const std::filesystem::path& out_dir, bool overwrite) {
+                           const std::filesystem::path& out_dir) {
   std::vector<std::string> names;
   for (const PullTest& test : tests) names.insert(names.end(), {test.test, test.direction});
   const UserTexts texts(names);
@@ -63,7 +63,7 @@ void write_friction_report(const std::vector<PullTest>& tests, const PullTestSum
     parts.tables.push_back(pull_tests_table(summary));
     parts.figures.push_back(friction_figure(tests, summary));
   }
-  write_parts(std::move(parts), out_dir, overwrite);
+  write_parts(std::move(parts), out_dir, [](const std::vector<DrawnFigure>&) {});
 }
 
 }  // namespace glissade

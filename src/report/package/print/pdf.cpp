@@ -1,61 +1,59 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "package/print/pdf.hpp"
 
-#include <fcntl.h>
-#include <spawn.h>
-#include <sys/wait.h>
-#include <unistd.h>
-
-#include <array>
-#include <cerrno>
+#include <cstdlib>
+#include <optional>
 #include <string>
-#include <system_error>
 
+#include "glissade/core/error.hpp"
 #include "glissade/core/file.hpp"
+#include "glissade/report/results_folder.hpp"
 #include "page/page.hpp"
 #include "page/symbols.hpp"
+#include "plot/child_program.hpp"
 
 namespace glissade {
 namespace {
 
-/// Waits for a program without output; true if it succeeds.
-bool succeeds(std::array<std::string, 8> words) {
-  posix_spawn_file_actions_t actions;
-  posix_spawn_file_actions_init(&actions);
-  posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
-  for (const int output : {STDOUT_FILENO, STDERR_FILENO})
-    posix_spawn_file_actions_addopen(&actions, output, "/dev/null", O_WRONLY, 0);
-  std::array<char*, 9> arguments{};
-  for (std::size_t i = 0; i < words.size(); ++i) arguments[i] = words[i].data();
-  pid_t child = 0;
-  const int spawn_error =
-      ::posix_spawnp(&child, arguments[0], &actions, nullptr, arguments.data(), environ);
-  posix_spawn_file_actions_destroy(&actions);
-  if (spawn_error != 0) return false;
-  int status = 0;
-  while (::waitpid(child, &status, 0) < 0)
-    if (errno != EINTR) return false;
-  return WIFEXITED(status) && WEXITSTATUS(status) == 0;
+/// Its last table is where its end says, behind which nothing follows.
+bool is_whole_pdf(const std::string& pdf) {
+  const std::size_t at = pdf.rfind("startxref\n");
+  if (!pdf.starts_with("%PDF-") || !pdf.ends_with("%%EOF\n") || at == std::string::npos)
+    return false;
+  const std::size_t table = std::strtoull(pdf.c_str() + at + 10, nullptr, 10);
+  return table < at && pdf.find_first_of("x0123456789", table) == table;  // xref, or an object
 }
 
 }  // namespace
 
 bool write_and_print(const Html& page, const std::filesystem::path& html) {
-  namespace fs = std::filesystem;
-  write_text_file(html, with_symbols((page + page_foot()).str()));
-  const fs::path whole = fs::absolute(html);
-  fs::path pdf = whole, partial = whole;
+  const std::string text = with_symbols((page + page_foot()).str());
+  write_text_file(html, text);
+  std::filesystem::path pdf = html;
   pdf.replace_extension(".pdf");
-  partial.replace_extension(".pdf.partial");
-  std::error_code error;
+  MemoryFile in(pdf);
+  const MemoryFile out(pdf);
+  in.write(text);
   // Without a date in the fonts the same page gives the same bytes.
-  if (succeeds({"env", "SOURCE_DATE_EPOCH=0", "weasyprint", "--quiet", "--pdf-variant", "pdf/ua-1",
-                whole.string(), partial.string()}))
-    fs::rename(partial, pdf, error);
-  else
-    error = std::make_error_code(std::errc::io_error);
-  if (error) fs::remove(partial, error);
-  return fs::exists(pdf, error);
+  std::optional<std::string> failure =
+      ChildProgram{.words = {"weasyprint", "--quiet", "--pdf-variant", "pdf/ua-1", "-", "-"},
+                   .variable = "SOURCE_DATE_EPOCH=0",
+                   .files = {&in, &out},
+                   .input = in.name(),
+                   .output = out.name()}
+          .failure();
+  if (!failure) return false;
+  std::string printed = failure->empty() ? out.read() : "";
+  if (failure->empty() && !is_whole_pdf(printed)) failure = "what it printed is incomplete";
+  if (!failure->empty())
+    throw InputError({pdf.string(),
+                      "WeasyPrint could not print " + html.filename().string() + ": " + *failure,
+                      "see whether `weasyprint " + html.filename().string() +
+                          " x.pdf` works there, and whether there is memory",
+                      ""});
+  begin_files(pdf.parent_path(), {pdf.filename().string()});
+  write_text_file(pdf, printed);
+  return true;
 }
 
 }  // namespace glissade
