@@ -16,18 +16,18 @@ void throw_io_error(const std::filesystem::path& path, const std::string& doing,
   if (error_number == ENOSPC || error_number == EDQUOT || error_number == EFBIG)
     suggestion = "make room on the disk or write elsewhere";
   if (error_number == EIO) suggestion = "check the disk, or write elsewhere";
-  throw IoError({path.string(), doing + ": " + std::generic_category().message(error_number),
-                 suggestion, ""},
-                error_number);
+  throw IoError(
+      {path.string(), doing + ": " + std::generic_category().message(error_number), suggestion, ""},
+      error_number);
 }
 
 void throw_read_error(const std::filesystem::path& path, const std::string& doing,
                       int error_number) {
-  throw IoError({path.string(), doing + ": " + std::generic_category().message(error_number),
-                 error_number == EIO ? "check the disk"
-                                     : "check that it exists and that you may read it",
-                 ""},
-                error_number);
+  throw IoError(
+      {path.string(), doing + ": " + std::generic_category().message(error_number),
+       error_number == EIO ? "check the disk" : "check that it exists and that you may read it",
+       ""},
+      error_number);
 }
 
 namespace {

@@ -8,6 +8,7 @@
 #include <cctype>
 #include <chrono>
 #include <cstdio>
+#include <string_view>
 
 #include "glissade/design/design_clearance.hpp"
 #include "glissade/motion/improbable.hpp"
@@ -28,10 +29,12 @@ std::string lower_case(std::string text) {
 bool is_stated(const std::string& text) {
   const std::string words = lower_case(text);
   const auto is_blank = [](unsigned char c) { return std::isalnum(c) == 0 && c < 0x80; };
-  const auto begins = [&](const char* word) { return words.starts_with(word); };
+  const auto begins = [&](std::string_view word) {
+    return words.starts_with(word) && (words.size() == word.size() || is_blank(words[word.size()]));
+  };
   return !std::ranges::all_of(words, is_blank) &&
          std::ranges::none_of(
-             std::array{"not stated", "not known", "none", "unknown", "n/a", "tbd", "to be "},
+             std::array{"not stated", "not known", "none", "unknown", "n/a", "tbd", "to be"},
              begins);
 }
 
@@ -111,19 +114,22 @@ Found diaphragm(const Project& p) {
 
 /// A frequency, or the period of another building.
 Found period(const Project& p) {
-  constexpr double most_apart = 4.0, of_storey_s = 0.1;  // the latter: ASCE 7-16, 12.8-8, recalled
+  constexpr double most_apart = 4.0;
+  constexpr double of_storey_s = 0.1, of_hall_s = 0.25;  // ASCE 7-16, 12.8-8 (recalled); of 30 ft
   const ProjectBuilding& building = p.building;
   if (p.of_roof || (!building.approximate_period_s && !building.storeys)) return {};
-  const double ta_s =
-      building.approximate_period_s.value_or(of_storey_s * building.storeys.value_or(1.0));
+  const double of_storeys_s = of_storey_s * building.storeys.value_or(1.0),
+               low_s = building.approximate_period_s.value_or(of_storeys_s),
+               high_s = building.approximate_period_s.value_or(std::max(of_storeys_s, of_hall_s));
+  const auto range = [](double from_s, double to_s) {
+    return from_s == to_s ? fmt::format("{:.3g} s", to_s)
+                          : fmt::format("{:.3g} to {:.3g} s", from_s, to_s);
+  };
   const double shortest_s = building.period_s.front(), longest_s = building.period_s.back();
   return Statement{
-      fmt::format("{}, T_a {:.3g} s{}",
-                  shortest_s == longest_s
-                      ? fmt::format("{:.3g} s", longest_s)
-                      : fmt::format("{:.3g} to {:.3g} s", shortest_s, longest_s),
-                  ta_s, building.approximate_period_s ? "" : " (0.1 s for each storey)"),
-      shortest_s >= ta_s / most_apart && longest_s <= most_apart * ta_s};
+      fmt::format("{}, T_a {}{}", range(shortest_s, longest_s), range(low_s, high_s),
+                  building.approximate_period_s ? "" : " (0.1 s for each storey, or a hall)"),
+      shortest_s >= low_s / most_apart && longest_s <= most_apart * high_s};
 }
 
 Found source(const Project& p) { return stated(p.friction.source); }

@@ -12,6 +12,7 @@
 #include "glissade/design/premises.hpp"
 #include "glissade/fragility/hazard.hpp"
 #include "glissade/motion/improbable.hpp"
+#include "glissade/study/cases/probable.hpp"
 #include "glissade/study/plan/one_mass.hpp"
 
 namespace glissade {
@@ -102,8 +103,9 @@ std::vector<DesignWarning> warnings_on(const Project& project) {
   if (!project.of_roof) {
     add_all(improbable_values(project.building, project.units));
     add_found(gaps_between(project.building.period_s));
-    add_found(improbable_mass_ratio(project.building.mass_ratio.back()));
-    add_found(improbable_damping(project.building.damping));
+    for (const auto& [key, value] : {std::pair{"mass_ratio", project.building.mass_ratio.back()},
+                                     {"damping", project.building.damping}})
+      add_found(improbable_value(parameters()[parameter_index("building", key)], value));
     if (project.building.alpha.empty())
       add_found(one_mass_sentence(project.building.storeys, project.building.period_s.back()));
   }

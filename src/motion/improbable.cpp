@@ -256,22 +256,6 @@ std::string improbable_slope(double steepest_deg) {
       steepest_deg);
 }
 
-std::string improbable_mass_ratio(double largest) {
-  constexpr double least = 1e-3;
-  if (largest <= 0.0 || largest >= least) return "";
-  return fmt::format(
-      "the array has {:.2g} times the mass of the building: are the weights in one unit?", largest);
-}
-
-std::string improbable_damping(double damping) {
-  constexpr double most = 0.2;  // recalled: buildings have 0.01 to 0.1
-  if (damping == 0.0) return "the building has no damping (damping = 0)";
-  if (damping <= most) return "";
-  return fmt::format(
-      "a damping ratio of {:g} is above {:g}: no building has it without dampers (recalled)",
-      damping, most);
-}
-
 std::string improbable_design_life(double years) {
   constexpr double longest_years = 200.0;
   if (years <= longest_years) return "";

@@ -78,7 +78,7 @@ using ChartOnTwoAxes = OneRun<small_chart_on_two_axes>;
 
 TEST_F(ChartOnTwoAxes, says_that_both_components_act) {
   const std::string both = "both horizontal components";
-  EXPECT_THAT(read_file((out() / "tables/chart.csv").string()), states(both));
+  EXPECT_THAT(read_file((out() / "tables/columns.csv").string()), states(both));
   EXPECT_THAT(one_line(finished_.out), states(both));
   EXPECT_THAT(read_file((out() / "report.html").string()),
               testing::AllOf(testing::HasSubstr("full model"), testing::HasSubstr("mass 0.05")));

@@ -50,14 +50,14 @@ tl_s = 8
 risk_category = "II"
 fault_distance_km = 30
 [building]
-period_s = 0.2
+period_s = 0.35
 mass_ratio = 0.02
-storeys = 1
+storeys = 2
 diaphragm = "rigid"
 [roof]
 slope_deg = "0.25:12"
 [friction]
-mu = { mean = 0.6, std = 0.02 }
+mu = { mean = 0.7, std = 0.02 }
 source = "report 7"
 tests = 9
 laboratory = "Own laboratory"

@@ -402,10 +402,9 @@ const std::vector<Walked> readers = {
     one_file("import", "suite import IN --directions-from-names --out OUT/suite.toml",
              write_records),
     {"show", "suite show IN", write_records, true},
-    one_file("init", "init OUT/study.toml --suite IN/suite.toml --mu 0.5 --mu-std 0.04",
-             [](const fs::path& in, const fs::path&) {
-               write(in / "suite.toml", read_file(suite_2));
-             }),
+    one_file(
+        "init", "init OUT/study.toml --suite IN/suite.toml --mu 0.5 --mu-std 0.04",
+        [](const fs::path& in, const fs::path&) { write(in / "suite.toml", read_file(suite_2)); }),
     {"check", "check IN/study.toml", with("study.toml", short_study), true}};
 
 class FaultyInput : public FaultWalk {};
@@ -422,6 +421,83 @@ TEST_P(FaultyInput, is_reported_where_the_system_does_not_read_it) {
       if (function.name == std::string(reads) && calls.contains(reads))
         for (long at = 1; at <= calls.at(reads); ++at)
           fail(reads, program, function.errors[at % function.errors.size()], true, at);
+}
+
+/// Its PDF is printed by a script in the place of WeasyPrint.
+class Printing : public FaultWalk {
+ protected:
+  Finished print(const std::string& script) {
+    path_.put(script);
+    prepare();
+    return run_shell(line());
+  }
+  static inline const std::string a_pdf_ = R"(printf '%%PDF-1.7\nxref\nstartxref\n9\n%%%%EOF\n')";
+  const fs::path pdf_ = out_ / "product.pdf";
+};
+INSTANTIATE_TEST_SUITE_P(, Printing,
+                         testing::Values(Walked{"product", "clearance --resume OUT",
+                                                finished_calculation(small_product)}),
+                         [](const auto& of) { return of.param.name; });
+
+TEST_P(Printing, that_fails_is_reported_and_done_by_the_stated_command) {
+  for (const auto& [script, why] :
+       {std::pair{"echo no fonts >&2; exit 1", "no fonts"},
+        {"exit 3", "without saying why"},
+        {"kill -TERM $$", "by a signal"},
+        {"echo %PDF-1.7", "is incomplete"},
+        {"printf '%%PDF-1.7\\nstartxref\\n900\\n%%%%EOF\\n'", "is incomplete"}}) {
+    const Finished child = print(script);
+    EXPECT_EQ(child.status, 2) << child.err;
+    EXPECT_THAT(child.err, testing::AllOf(HasSubstr("WeasyPrint could not print product.html"),
+                                          HasSubstr(why), HasSubstr("clearance --resume")));
+    EXPECT_THAT(read_file(out_ / "run.json"), HasSubstr("\"stopped\""));
+    EXPECT_FALSE(fs::exists(pdf_));
+    path_.put(a_pdf_);
+    succeeding({"clearance", "--resume", out_.string()});
+    EXPECT_THAT(read_file(pdf_), testing::EndsWith("%%EOF\n"));
+  }
+  fs::remove(pdf_);  // and again where it is gone
+  succeeding({"clearance", "--resume", out_.string()});
+  EXPECT_TRUE(fs::exists(pdf_));
+}
+
+// As of a terminal or mpirun, to all processes of the group.
+TEST_P(Printing, that_a_signal_ends_stops_the_calculation) {
+  for (const char* signal : {"INT", "TERM", "HUP", "USR1"}) {
+    const Finished child =
+        print("kill -" + std::string(signal) + " $PPID; kill -" + std::string(signal) + " $$");
+    EXPECT_EQ(child.status, 75) << child.err;
+    EXPECT_THAT(child.err, testing::AllOf(HasSubstr("stopped by SIG" + std::string(signal)),
+                                          HasSubstr("clearance --resume")));
+    path_.put(a_pdf_);
+    succeeding({"clearance", "--resume", out_.string()});
+    EXPECT_TRUE(fs::exists(pdf_));
+  }
+}
+
+TEST_P(Printing, into_a_folder_that_is_not_utf8_is_like_others) {
+  path_.put(a_pdf_);
+  prepare();
+  const fs::path other = out_.string() + "\377";
+  fs::remove_all(other);
+  fs::rename(out_, other);
+  EXPECT_EQ(run_program({"clearance", "--resume", other.string()}).status, 0);
+  EXPECT_TRUE(fs::exists(other / "product.pdf"));
+}
+
+TEST_P(Printing, into_a_folder_that_is_removed_meanwhile_is_reported) {
+  const Finished child = print("/bin/rm -r " + in_quotes(out_) + "; " + a_pdf_);
+  EXPECT_EQ(child.status, 2) << child.err;
+  EXPECT_THAT(child.err, HasSubstr("was removed or moved"));
+}
+
+// That of a browser, say.
+TEST_P(Printing, does_not_write_over_a_pdf_of_the_user) {
+  path_.put(a_pdf_);
+  prepare();
+  write(pdf_, "mine");
+  expect_refused(run_shell(line()), {"product.pdf", "does not list it", "move it away"});
+  EXPECT_EQ(read_file(pdf_), "mine");
 }
 
 class LostWrites : public FaultWalk {};

@@ -113,7 +113,7 @@ TEST_F(Friction, leaves_tables_and_figure_in_a_new_folder_only) {
     EXPECT_GT(fs::exists(out / name) ? fs::file_size(out / name) : 0, 0u) << name;
   }
   const std::vector<std::string> table = lines_of(read_file(out / "tables" / "friction.csv"));
-  EXPECT_EQ(table[1],
+  EXPECT_EQ(table[0],
             "direction,friction,tests,mean,std,mean_minus_2_std,lower_bound_95,shapiro_wilk_w,"
             "shapiro_wilk_p");
   const std::vector<std::string> before = folder_.contents();

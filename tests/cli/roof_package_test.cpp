@@ -112,7 +112,7 @@ TEST_F(RoofPackage, is_that_of_an_array_on_the_motions_themselves) {
   EXPECT_FALSE(fs::exists(out / "figures/spectra.svg"));
 }
 
-TEST_F(RoofPackage, says_that_weak_motions_are_below_half_of_the_standards) {
+TEST_F(RoofPackage, says_that_weak_motions_are_below_0_8_of_the_standards) {
   write_suite();
   const Finished checked = succeeding({"check", project("", "roofs.toml", "factor = 0.2\n")});
   EXPECT_THAT(checked.out, states("none is computed", "factor 0.2"));

@@ -72,6 +72,16 @@ TEST_F(Sites, a_table_of_a_site_is_in_place_of_that_of_the_project) {
   EXPECT_THAT(read_file(out() / "site_2/package.html"), states("campus: Roof B", "2 Side Street"));
 }
 
+// ASCE 7-10, 11.4.3 and 11.4.4 (recalled): those of 7-16 have one number more.
+TEST_F(Sites, cite_the_clauses_of_their_edition_and_no_other_recollection) {
+  const std::string of_7_10 = read_file(out() / "site_2/tables/provisions.csv");
+  EXPECT_THAT(of_7_10, states("\"ASCE 7-10, 11.4.3, 11.4.4\""));
+  EXPECT_THAT(of_7_10, testing::Not(testing::HasSubstr("11.4.5")));
+  for (const char* site : {"site_1", "site_2"})
+    EXPECT_THAT(read_file(out() / site / "package.html"),
+                testing::Not(testing::HasSubstr("some recall")));
+}
+
 TEST_F(Sites, have_a_page_each_after_the_summary) {
   const std::string page = read_file(out() / "sites.html");
   const std::size_t summary = page.find("Largest required separation"),

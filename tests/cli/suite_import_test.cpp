@@ -20,7 +20,8 @@ class SuiteImportCommand : public testing::Test {
     folder_.write("in/notes.md", "Some notes.\n");
   }
   Finished import(const std::vector<std::string>& arguments) const {
-    return run_program(with({"suite", "import", "--directions-from-names", folder_.path("in").string()}, arguments));
+    return run_program(with(
+        {"suite", "import", "--directions-from-names", folder_.path("in").string()}, arguments));
   }
   ScratchFolder folder_;
 };
@@ -29,8 +30,9 @@ TEST_F(SuiteImportCommand, makes_a_suite_that_other_commands_read_and_lists_what
   const std::string out = folder_.path("mine.toml").string();
   const Finished child = import({"--out", out});
   EXPECT_EQ(child.status, 0) << child.err;
-  EXPECT_THAT(child.out, states("Imported records", "PLC", "000, 090",
-                                "ONE-090.txt: one horizontal", "notes.md", "suggest: 000, 090", "suite file"));
+  EXPECT_THAT(child.out,
+              states("Imported records", "PLC", "000, 090", "ONE-090.txt: one horizontal",
+                     "notes.md", "suggest: 000, 090", "suite file"));
   EXPECT_THAT(read_file(out),
               states("name = \"mine\"", "file = \"in/PLC-000.txt\", azimuth_deg = 0, sha256 = \""));
   const Finished show = succeeding({"suite", "show", out});
@@ -39,7 +41,8 @@ TEST_F(SuiteImportCommand, makes_a_suite_that_other_commands_read_and_lists_what
 }
 
 TEST_F(SuiteImportCommand, json_has_each_component_and_each_reason) {
-  const Json result = json_of({"suite", "import", folder_.path("in").string()}, {"--keep-single", "--directions-from-names"});
+  const Json result = json_of({"suite", "import", folder_.path("in").string()},
+                              {"--keep-single", "--directions-from-names"});
   ASSERT_EQ(result["records"].size(), 2u);
   EXPECT_EQ(result["records"][0]["id"], "ONE");
   EXPECT_FALSE(result["records"][0].contains("second"));
@@ -68,7 +71,7 @@ TEST_F(SuiteImportCommand, mistakes_are_refused) {
   // Each file, also when nothing is imported.
   expect_refused(run_program({"suite", "import", folder_.path("in").string()}),
                  {"no record", "notes.md", "ONE-090.txt: nothing states", "PLC-000.txt: nothing",
-                  "PLC-090.txt: nothing states which component it is; its name suggests 090"});
+                  "PLC-090.txt: nothing states", "its name suggests 090: --directions-from-names"});
   expect_refused(import({"--roof", "roof"}), {"--roof", "no file states a location"});
   expect_refused(import({"--units", "furlong"}), {"--units", "furlong", "m/s2"});
   expect_refused(import({"--dt-s", "-1"}), {"--dt-s", "not above 0"});

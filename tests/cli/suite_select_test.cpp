@@ -220,7 +220,8 @@ TEST_F(SuiteSelect, records_of_a_conditional_spectrum_are_compared_with_it) {
   EXPECT_EQ(run_program({"suite", "show", out}).status, 0);
   const Finished printed =
       select(with(an_earthquake, {"--count", "3", "--max-scale", "50", "--seed", "1"}));
-  EXPECT_THAT(printed.out, states("WARNING", "records std", "objective", "60 starts", "left out", "r3"));
+  EXPECT_THAT(printed.out,
+              states("WARNING", "records std", "objective", "60 starts", "left out", "r3"));
 }
 
 TEST_F(SuiteSelect, the_figure_of_a_conditional_spectrum_goes_to_a_folder_of_its_own) {

@@ -59,10 +59,9 @@ ComponentAddress split_address(const std::string& name);
 ///
 /// Throws InputError (file:line, value, rule, what to do) for anything else, for values that are no
 /// finite numbers, for counts that differ from the stated ones, for units that are not stated, for
-/// velocities, displacements and spectra, for channels of seismometers that do not state
-/// acceleration, and for a column that begins with its count or its step. The options have the
-/// names of a suite's keys there: dt_s, units, counts_per_unit. What was found or changed in
-/// reading is in the record's notes.
+/// velocities, displacements, spectra and seismometers, and for a column that begins with its count
+/// or its step. The options have the names of a suite's keys there: dt_s, units, counts_per_unit.
+/// What was found or changed in reading is in the record's notes.
 Record read_record(const std::filesystem::path& file, const RecordFileOptions& options = {});
 
 /// Clockwise from north, where the file of a horizontal component states it.

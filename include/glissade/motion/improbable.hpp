@@ -60,8 +60,6 @@ bool takes_exception_2(const DesignTarget& target);
 std::string gaps_between(const std::vector<double>& periods_s);
 /// Of a roof no part of which is steeper.
 std::string improbable_slope(double steepest_deg);
-std::string improbable_mass_ratio(double largest);
-std::string improbable_damping(double damping);
 std::string improbable_design_life(double years);
 /// Numbers without a unit in a file with units = "us": "height_m = 54 (177 ft)".
 std::string unmarked_numbers(const std::vector<std::string>& numbers);

@@ -243,6 +243,8 @@ void write_finished_product(const CalculationIdentity& identity, const ProductSh
 }
 
 std::string resume_calculation_command(const fs::path& folder) {
+  const fs::path above = folder.parent_path();  // of all sites
+  if (!above.empty() && is_calculation(above)) return resume_calculation_command(above);
   return "glissade clearance --resume " + quoted_for_shell(folder.empty() ? "." : folder.string());
 }
 

@@ -44,7 +44,7 @@ void write_finished_sites(const CalculationIdentity& identity, const SiteSheets&
 void write_finished_product(const CalculationIdentity& identity, const ProductSheet& sheet,
                             int ranks, const std::filesystem::path& folder);
 
-/// "glissade clearance --resume DIR".
+/// "glissade clearance --resume DIR": of a site that of all sites.
 std::string resume_calculation_command(const std::filesystem::path& folder);
 
 }  // namespace glissade::cli

@@ -95,38 +95,44 @@ void take_modes(SlideOptions& o, ProblemList& problems) {
     problems.add({"--damping", o.modes + " has the damping of each mode", "leave it out", ""});
 }
 
+void take_storeys(SlideOptions& o, ProblemList& problems) {
+  const std::size_t count =
+      o.storeys.value_or(std::max(o.storey_masses.size(), o.storey_stiffnesses.size()));
+  for (std::vector<double>* values : {&o.storey_masses, &o.storey_stiffnesses}) {
+    if (values->empty()) values->assign(count, 1.0);
+    if (values->size() == count) continue;
+    problems.add({"--storeys", "masses or stiffnesses are not as many as the storeys",
+                  "give one for each storey, from the ground up", ""});
+    return;
+  }
+  o.building.modes[0] = o.building.modes[1] =
+      with_first_period(shear_building_modes(o.storey_masses, o.storey_stiffnesses), 1.0);
+  if (!(o.c.period_s > 0.0))
+    problems.add({"--storeys", "the building has no period",
+                  "give --period-s, its first period, above 0", ""});
+}
+
 /// The building of several modes that is stated, if one is.
 void take_building(SlideOptions& o, ProblemList& problems) {
   using Kind = BuildingModel::Kind;
-  const bool is_cantilever = o.given[parameter_index("building", "alpha")].has_value();
-  const bool has_storeys = o.storeys || !o.storey_masses.empty() || !o.storey_stiffnesses.empty();
-  if (is_cantilever + has_storeys + !o.modes.empty() > 1)
-    problems.add({has_storeys ? "--storeys" : "--modes", "the building is stated in two ways",
-                  "give one of --alpha, --storeys and --modes", ""});
+  std::vector<Kind> stated;
+  if (o.given[parameter_index("building", "alpha")]) stated.push_back(Kind::cantilever);
+  if (o.storeys || !o.storey_masses.empty() || !o.storey_stiffnesses.empty())
+    stated.push_back(Kind::storeys);
+  if (!o.modes.empty()) stated.push_back(Kind::modes);
   if (!o.modes_across.empty() && !(o.two_axes() && !o.modes.empty()))
     problems.add(
         {"--modes-across", "needs --modes and --second", "leave it out, or give them", ""});
-  problems.throw_if_any();
-  if (is_cantilever) {
-    o.building.kind = Kind::cantilever;
-  } else if (has_storeys) {
-    o.building.kind = Kind::storeys;
-    const std::size_t count =
-        o.storeys.value_or(std::max(o.storey_masses.size(), o.storey_stiffnesses.size()));
-    if (o.storey_masses.empty()) o.storey_masses.assign(count, 1.0);
-    if (o.storey_stiffnesses.empty()) o.storey_stiffnesses.assign(count, 1.0);
-    if (o.storey_masses.size() != count || o.storey_stiffnesses.size() != count)
-      problems.add({"--storeys", "masses or stiffnesses are not as many as the storeys",
-                    "give one for each storey, from the ground up", ""});
-    problems.throw_if_any();
-    o.building.modes[0] = o.building.modes[1] =
-        with_first_period(shear_building_modes(o.storey_masses, o.storey_stiffnesses), 1.0);
-    if (!(o.c.period_s > 0.0))
-      problems.add({"--storeys", "the building has no period",
-                    "give --period-s, its first period, above 0", ""});
-  } else if (!o.modes.empty()) {
-    o.building.kind = Kind::modes;
-    take_modes(o, problems);
+  if (stated.size() > 1)
+    problems.add({o.modes.empty() ? "--storeys" : "--modes", "the building is stated in two ways",
+                  "give one of --alpha, --storeys and --modes", ""});
+  if (stated.size() != 1) return;
+  o.building.kind = stated.front();
+  try {
+    if (o.building.kind == Kind::storeys) take_storeys(o, problems);
+    if (o.building.kind == Kind::modes) take_modes(o, problems);
+  } catch (const InputError& error) {
+    problems.add(error);
   }
 }
 

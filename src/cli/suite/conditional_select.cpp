@@ -72,10 +72,10 @@ std::vector<std::string> warnings_of(const ConditionalOutcome& o) {
 
 /// What the best of all starts reached.
 std::string objective_line(const ConditionalOutcome& o) {
-  return fmt::format("objective {:.4f}, the least of {} starts (seed {}): the sum over {} periods of "
-                     "the squares of the error of the mean and, twice, of the standard deviation",
-                     o.selection.objective, conditional_starts, o.request.seed,
-                     o.target.spectrum.size());
+  return fmt::format(
+      "objective {:.4f}, the least of {} starts (seed {}): the sum over {} periods of "
+      "the squares of the error of the mean and, twice, of the standard deviation",
+      o.selection.objective, conditional_starts, o.request.seed, o.target.spectrum.size());
 }
 
 /// Means and standard deviations of records and target by period.

@@ -66,8 +66,8 @@ Table components_table(const SuiteImport& found) {
     notes.insert(notes.end(), c.faults.begin(), c.faults.end());
     const std::string direction =
         c.suggested_direction.empty() ? h.direction : c.suggested_direction + " by its name";
-    table.add({c.shown(), direction, h.location, c.format, h.unit.empty() ? "not stated" : h.unit, c.dt_s,
-               static_cast<double>(c.samples), c.pga_g, std::string(processing(h)), h.event,
+    table.add({c.shown(), direction, h.location, c.format, h.unit.empty() ? "not stated" : h.unit,
+               c.dt_s, static_cast<double>(c.samples), c.pga_g, std::string(processing(h)), h.event,
                h.station, given(h.magnitude), h.magnitude_kind, given(h.epicentral_km),
                given(h.vs30_mps), fmt::format("{}", fmt::join(notes, "; "))});
   }
@@ -83,14 +83,16 @@ void put_warnings(const SuiteImport& found) {
 }
 
 Table channels_table(const SuiteImport& found) {
-  Table table{"channels",
-              "Channels of structures; --roof LOCATION or --roof CHANNELS takes some as a motion of "
-              "the roof",
-              {text_column("location", "Location"), text_column("channel", "Channel"),
-               text_column("direction", "Direction"),
-               {"pga", "g", "Peak, g", ColumnKind::number, "", false, 4},
-               text_column("file", "File")},
-              {}};
+  Table table{
+      "channels",
+      "Channels of structures; --roof LOCATION or --roof CHANNELS takes some as a motion of "
+      "the roof",
+      {text_column("location", "Location"),
+       text_column("channel", "Channel"),
+       text_column("direction", "Direction"),
+       {"pga", "g", "Peak, g", ColumnKind::number, "", false, 4},
+       text_column("file", "File")},
+      {}};
   std::vector<const FoundComponent*> channels;
   for (const FoundComponent& c : found.components)
     if (!c.header.location.empty()) channels.push_back(&c);
@@ -108,8 +110,9 @@ std::string left_out_text(const SuiteImport& found) {
   if (found.left_out.empty()) return "";
   std::string text = "left out:\n";
   for (std::size_t i = 0; i < std::min(most, found.left_out.size()); ++i)
-    text += "  " + wrapped(found.left_out[i].what + ": " + found.left_out[i].reason,
-                           terminal_width, 4) + "\n";
+    text += "  " +
+            wrapped(found.left_out[i].what + ": " + found.left_out[i].reason, terminal_width, 4) +
+            "\n";
   if (found.left_out.size() > most)
     text += fmt::format("  and {} more: --json lists all\n", found.left_out.size() - most);
   return text + "Units and steps that files do not state: --units, --dt-s\n";

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <ranges>
 
 #include "glissade/core/printable.hpp"
 #include "records/formats/reading.hpp"
@@ -143,6 +144,15 @@ std::string record_sequence_number(std::string_view file_name) {
   while (end < file_name.size() && is_digit(file_name[end])) ++end;
   const bool ends_there = end < file_name.size() && !std::isalpha(file_name[end]);
   return ends_there ? std::string(file_name.substr(3, end - 3)) : "";
+}
+
+std::string channel_in_name(std::string_view stem) {
+  for (const std::string_view token :
+       std::views::split(stem, '.') | std::views::transform([](auto part) {
+         return std::string_view(part.begin(), part.end());
+       }))
+    if (seed_channel(lower_case(token))) return std::string(token);
+  return "";
 }
 
 std::string peer_direction(std::string_view stem) {

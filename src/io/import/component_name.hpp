@@ -35,6 +35,9 @@ SplitName split_direction(std::string_view stem, const std::optional<ComponentDi
 /// By the scheme of names of PEER's NGA data bases: "067" of "RSN763_LOMAP_GIL067"; "" of a name
 /// that is not by it.
 std::string peer_direction(std::string_view stem);
+/// The code of a channel of SEED between points, as data centres name files of COSMOS and SAC:
+/// "BNZ" of "us1000hyfh.BNZ.--.acc"; "" where there is none.
+std::string channel_in_name(std::string_view stem);
 
 /// Without the ending of a file's name; that of K-NET (AOM0170806140843.EW) names its direction.
 std::string stem_of(const std::filesystem::path& file);

@@ -79,7 +79,8 @@ std::string stated_direction(const FileComponent& component, const RecordFormat&
                              const std::string& stem) {
   if (component_direction(component.header.direction)) return component.header.direction;
   if (component_direction(component.name)) return plain_direction(component.name);
-  return &format == &at2_format ? peer_direction(stem) : "";
+  if (&format == &at2_format) return peer_direction(stem);
+  return &format == &cosmos_format || &format == &sac_format ? channel_in_name(stem) : "";
 }
 
 void take_direction(FoundComponent& found, const FileComponent& component,

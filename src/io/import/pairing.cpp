@@ -109,8 +109,7 @@ ComponentPiece piece_of(std::size_t component, const FoundComponent& found,
                                  ? found.file.parent_path().string()
                                  : (found.file / found.member).parent_path().string();
   const RecordHeader& header = found.header;
-  piece.narrow_key =
-      folder + "|" + (is_one_of_several ? found.file_name() : piece.name.rest);
+  piece.narrow_key = folder + "|" + (is_one_of_several ? found.file_name() : piece.name.rest);
   if (!header.location.empty()) piece.narrow_key = "at|" + lower_case(header.location);
   piece.state = !header.is_processed ? "" : *header.is_processed ? "processed" : "raw";
   if (piece.row != nullptr)
@@ -505,7 +504,8 @@ Pieces meant_pieces(const Pieces& pieces, const ImportOptions& options, SuiteImp
       meant.push_back(piece);
       if (roof && roof->are_numbers()) meant.back().narrow_key = "numbered";
     } else if (header.location.empty()) {
-      found.left_out.push_back({path_of(piece), "states no location of a structure, as --roof requires"});
+      found.left_out.push_back(
+          {path_of(piece), "states no location of a structure, as --roof requires"});
     } else {
       found.left_out.push_back(
           {path_of(piece), channel_and_location(header) +

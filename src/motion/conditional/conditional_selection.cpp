@@ -161,7 +161,7 @@ std::vector<std::size_t> closest_to(const std::vector<LogSpectrum>& drawn, const
 
 /// Makes the best exchange of each record in turn until none brings the set closer; its deviation.
 double improve(std::vector<std::size_t>& choice, const SpectraPool& pool,
-             const SpectrumDistribution& target, std::optional<std::size_t> per_event) {
+               const SpectrumDistribution& target, std::optional<std::size_t> per_event) {
   constexpr int most_rounds = 50;  // each has a smaller deviation: rounding aside it ends before
   constexpr double rounding = 1e-12;
   bool improved = true;

@@ -87,12 +87,13 @@ void list(const fs::path& folder, const Names& names) {
   write_text_file(folder / list_name, text);
 }
 
-void remove(const fs::path& folder, const Names& names) {
+/// And what writers of any of `all` left that were killed.
+void remove(const fs::path& folder, const Names& names, const Names& all) {
   std::error_code ignored;
   for (const char* part : {"", "tables", "figures"}) {
     for (const fs::path& file : files_in(folder / part)) {
       const std::string name = (part / file.filename()).string();
-      if ((names.contains(name) || names.contains(whole_name(name))) &&
+      if ((names.contains(name) || all.contains(whole_name(name))) &&
           fs::is_regular_file(fs::symlink_status(file, ignored)))
         remove_file(file);
     }
@@ -151,13 +152,13 @@ void end_report(const fs::path& folder, const std::vector<std::string>& names) {
   Names kept(names.begin(), names.end()), removed;
   for (const std::string& name : all)
     if (!kept.contains(name)) (is_of_a_report(name) ? removed : kept).insert(name);
-  if (removed.empty()) return;
-  remove(folder, removed);
-  list(folder, kept);
+  remove(folder, removed, all);
+  if (!removed.empty()) list(folder, kept);
 }
 
 void remove_listed(const fs::path& folder) {
-  remove(folder, listed(folder));
+  const Names all = listed(folder);
+  remove(folder, all, all);
   remove_file(folder / list_name);
 }
 

@@ -108,7 +108,6 @@ std::vector<std::string> user_texts(const Results& results) {
   for (const SuiteSummary& suite : results.suites) texts.push_back(suite.name);
   for (const RecordSummary& r : results.records)
     texts.insert(texts.end(), {r.id, r.event, r.station});
-  for (const RunResults& run : results.runs) texts.push_back(run.label);
   return texts;
 }
 

@@ -29,8 +29,8 @@ TEST(status_of, is_not_found_only_where_nothing_is_there) {
   fs::create_symlink("file", folder / "link");
   EXPECT_TRUE(fs::is_regular_file(status_of(folder / "link")));
   EXPECT_TRUE(fs::is_symlink(link_status_of(folder / "link")));
-  for (const fs::path& nothing : {folder / "none", folder / "file/below", folder / "loop",
-                                  folder / std::string(300, 'n')})
+  for (const fs::path& nothing :
+       {folder / "none", folder / "file/below", folder / "loop", folder / std::string(300, 'n')})
     EXPECT_FALSE(fs::exists(status_of(nothing))) << nothing;
 }
 

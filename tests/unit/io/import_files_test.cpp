@@ -146,8 +146,9 @@ TEST_F(SuiteImporter, records_in_an_archive_are_imported_and_read_without_being_
 }
 
 TEST_F(SuiteImporter, records_of_an_archive_in_an_archive_are_read_where_they_lie) {
-  write("all.tar", tar_of({{"quake.tar", tar_of({{"RSN7_SOME_PLC000.AT2", at2("A, 1/2/1999, P, 0", 1)},
-                                                 {"RSN7_SOME_PLC090.AT2", at2("A, 1/2/1999, P, 90", 2)}})}}));
+  write("all.tar",
+        tar_of({{"quake.tar", tar_of({{"RSN7_SOME_PLC000.AT2", at2("A, 1/2/1999, P, 0", 1)},
+                                      {"RSN7_SOME_PLC090.AT2", at2("A, 1/2/1999, P, 90", 2)}})}}));
   const SuiteImport found = import();
   if (reasons(found).find("libarchive") != std::string::npos) GTEST_SKIP() << reasons(found);
   ASSERT_EQ(found.records.size(), 1u) << reasons(found);

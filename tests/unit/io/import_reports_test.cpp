@@ -75,10 +75,11 @@ std::string replaced_all(std::string text, const std::string& from, const std::s
 /// and decimal commas.
 std::vector<std::string> saved_again(const std::string& report) {
   const std::string footer = "\n These records are UNSCALED, AS RECORDED";
-  const std::string quoted = replaced_all(
-      replaced_all(report, " \"Friuli_ Italy-01\"", "\" \"\"Friuli_ Italy-01\"\"\""), footer,
-      std::string(15, ',') + footer + std::string(15, ','));
-  std::string semicolons = replaced_all(replaced_all(report, "\"Place, at Town\"", "Place"), ", ", ";");
+  const std::string quoted =
+      replaced_all(replaced_all(report, " \"Friuli_ Italy-01\"", "\" \"\"Friuli_ Italy-01\"\"\""),
+                   footer, std::string(15, ',') + footer + std::string(15, ','));
+  std::string semicolons =
+      replaced_all(replaced_all(report, "\"Place, at Town\"", "Place"), ", ", ";");
   for (const char* number : {"6.5", "15.82", "1.7"})
     semicolons = replaced_all(semicolons, number, replaced_all(number, ".", ","));
   return {quoted, semicolons};
@@ -149,7 +150,7 @@ TEST_F(SuiteImporter, texts_of_a_report_stay_texts) {
   report.replace(report.find("Place, at"), 5, "Pl\x16\xb1\\");
   const SuiteImport found = import_with_report(report);
   ASSERT_EQ(found.records.size(), 1u) << reasons(found);
-  EXPECT_EQ(found.records[0].station, "Pl\\u0016\\xb1\\, at Town");
+  EXPECT_EQ(found.records[0].station, "Pl\\u0016\u00b1\\, at Town");
   EXPECT_EQ(load(found).motions[0].station, found.records[0].station);
 }
 

@@ -41,8 +41,8 @@ TEST_F(StructureImporter, the_free_field_is_a_record_and_every_other_file_has_it
   EXPECT_EQ(files_of(found, found.records[0]), "CHAN03.V2, CHAN02.V2, CHAN01.V2");
   EXPECT_EQ(found.left_out.size(), 8u);
   EXPECT_THAT(reasons(found),
-              test::states("CHAN01.V3: ", "CHAN04.V2: channel 4 at \"Roof: center\" of a structure",
-                           "CHAN10.V2: channel 10 at \"Ground floor\" of a structure", "--roof"));
+              test::states("CHAN01.V3: ", "CHAN04.V2: channel 4 at 'Roof: center' of a structure",
+                           "CHAN10.V2: channel 10 at 'Ground floor' of a structure", "--roof"));
 }
 
 TEST_F(StructureImporter, a_location_is_a_motion_of_a_roof) {
@@ -50,15 +50,16 @@ TEST_F(StructureImporter, a_location_is_a_motion_of_a_roof) {
   ASSERT_EQ(found.records.size(), 1u) << reasons(found);
   EXPECT_EQ(files_of(found, found.records[0]), "CHAN09.V2, CHAN08.V2, -");
   EXPECT_EQ(found.left_out.size(), 9u);
-  EXPECT_THAT(reasons(found), HasSubstr("CHAN02.V2: channel 2 at \"Free field\" is not of --roof"));
+  EXPECT_THAT(reasons(found), HasSubstr("CHAN02.V2: channel 2 at 'Free field' is not of --roof"));
   ImportedSuiteHead head{"s", {}, {}, true};
-  const Suite suite = load_suite(
-      folder_.write("suite.toml", imported_suite_toml(found, head, folder_.path())));
+  const Suite suite =
+      load_suite(folder_.write("suite.toml", imported_suite_toml(found, head, folder_.path())));
   EXPECT_TRUE(suite.of_roof);
   EXPECT_EQ(suite.motions.at(0).horizontal_mps2[1].size(), 200u);
 }
 
-TEST_F(StructureImporter, channels_of_several_locations_are_one_motion_where_their_numbers_are_given) {
+TEST_F(StructureImporter,
+       channels_of_several_locations_are_one_motion_where_their_numbers_are_given) {
   EXPECT_THAT(import_roof("roof").records, IsEmpty());  // N and S walls are parallel
   EXPECT_THAT(reasons(import_roof("roof")), HasSubstr("CHAN05.V2: one horizontal component only"));
   const SuiteImport found = import_roof("4, 6 7");

@@ -66,8 +66,8 @@ TEST_F(ProjectChecks, what_no_rule_of_a_number_meets_is_a_warning) {
   };
   warned(period, "period_s = [0.2, 3]", states("0.2", "3 s"));
   warned(period, "system = \"other\"\nheight_m = 130\nstoreys = 2", states("213 ft (65 m)"));
-  warned(mass_ratio, "array_weight_kn = 0.27\nweight_kn = 10700", states("2.5e-05"));
-  warned(mass_ratio, mass_ratio + "\ndamping = 0", states("damping = 0"));
+  warned(mass_ratio, "array_weight_kn = 0.27\nweight_kn = 10700", states("2.52e-05"));
+  warned(mass_ratio, mass_ratio + "\ndamping = 0", states("damping 0 is below"));
   const std::string end = "file = \"suite.toml\"\n";
   warned(end, end + "[result]\nround_up_m = \"10 ft\"\n", states("10 ft (3.05 m)"));
   warned(end, end + "[clearances]\nopen_edge_m = 48\n", states("157 ft (48 m)"));

@@ -88,8 +88,9 @@ TEST_F(RecordedImport, forty_mixed_files_become_a_suite_by_one_call) {
       reasons(found),
       test::states("README.md", "copies/again.AT2: a duplicate: the same bytes as",
                    "RSN1602_DUZCE_BOL000.VT2: units 'cm/s': this is a velocity file",
-                   "spectra (V3)", "NGNH311106302345.EW2, NGNH311106302345.UD2: one horizontal",
-                   "NGNH311106302345.NS1, NGNH311106302345.UD1: one horizontal",
+                   "spectra (V3)", "NGNH311106302345.EW2: one horizontal",
+                   "NGNH311106302345.UD2: one horizontal", "NGNH311106302345.NS1: one horizontal",
+                   "its name suggests 050", "'building location description' of a structure",
                    "0111a.smc: one horizontal", "SAC files do not state their unit",
                    "the time goes from", "has a gap", "RSN68 of the report"));
   const auto record = [&](const std::string& id) {

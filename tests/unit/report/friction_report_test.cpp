@@ -85,7 +85,7 @@ TEST(friction_figure, is_drawn_whatever_directions_are_called) {
   const std::filesystem::path folder =
       std::filesystem::path(testing::TempDir()) / "glissade_report_friction";
   std::filesystem::remove_all(folder);
-  write_friction_report(tests, summarise(tests, {}), folder, true);
+  write_friction_report(tests, summarise(tests, {}), folder);
   const std::string svg = read_text_file(folder / "figures" / "friction.svg");
   EXPECT_THAT(svg, states("E_W\u2019s {", "@ #1, \"x\""));
   for (const char* file : {"figures/friction.pdf", "tables/friction.csv", "tables/pull_tests.csv"})

@@ -541,7 +541,7 @@ TEST(plan, warns_of_storeys_and_stated_modes_that_no_building_has) {
               testing::Not(testing::Contains(testing::HasSubstr("storey"))));
   EXPECT_THAT(warnings(storeys, 0.3), testing::Contains(testing::HasSubstr("20 storeys")));
   const BuildingModel stated{
-      BuildingModel::Kind::modes, {{{1.0, 1.0, 1.0, 0.4}}, {{1.0, 1.0, 1.0, 0.4}}}, true};
+      BuildingModel::Kind::modes, {{{{1.0, 1.0, 1.0, 0.4}}, {{1.0, 1.0, 1.0, 0.4}}}}, true};
   EXPECT_THAT(warnings(stated, 60.0), testing::Contains(testing::HasSubstr("60 s is above 10 s")));
   EXPECT_THAT(warnings(stated, 1.0), testing::Contains(testing::HasSubstr("damping 0.4")));
 }

@@ -210,6 +210,14 @@ double step_of_rows(const RecordText& file, const TimedSamples& rows, const At2H
       stated.dt_text.empty() ? options.dt_s
                              : std::optional(at2_step(file.path, stated, options.dt_s));
   const std::vector<double>& t = rows.time.times_s;
+  const auto is_clock = [&] {
+    try {
+      step_of(file.path, rows.time, std::nullopt);
+      return true;
+    } catch (const InputError&) {
+      return false;
+    }
+  };
   try {
     const double dt_s = step_of(file.path, rows.time, wanted);
     const double printed_s = t.size() > 1 ? t[1] - t[0] : dt_s;
@@ -220,7 +228,8 @@ double step_of_rows(const RecordText& file, const TimedSamples& rows, const At2H
                       dt_s, printed_s));
     return dt_s;
   } catch (const InputError& error) {
-    if (std::ranges::any_of(rows.samples_mps2, [](double a) { return a < 0.0; })) throw;
+    if (std::ranges::any_of(rows.samples_mps2, [](double a) { return a < 0.0; }) || is_clock())
+      throw;
     Problem spectrum = error.problems().front();
     spectrum.what += "; and no value is below 0: a spectrum, and no record";
     spectrum.suggestion = "give accelerations by evenly spaced times";
@@ -445,6 +454,8 @@ void refuse_seismometer(const RecordText& file, std::string_view channel) {
 }
 
 ChannelLine channel_line(std::string_view line) {
+  constexpr std::size_t longest = 500;
+  line = line.substr(0, longest);
   const std::string lower = lower_case(line);
   const auto behind = [&](std::string_view key) {
     const std::size_t at = lower.find(key);
