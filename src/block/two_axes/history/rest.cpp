@@ -67,16 +67,23 @@ LaneHistory::Next LaneHistory::start(HistoryState& state) {
   return go_on_from_rest(state);
 }
 
-/// By a step at whose end the load would not let the block rest: else it might not see it slide.
+/// By a step in which the load would not let the block rest: else it might not see it slide.
 LaneHistory::Next LaneHistory::go_on_from_rest(HistoryState& state) {
   start_s_ = time_s(state);
   LaneMotion<double>& m = state.motion;
   m.v_s = m.v_y = 0.0;
   m.forced = 1.0;
   const RoofPiece rest_of_interval = piece(state);
+  // A mode of a few intervals may let it rest and release it again before the end of a step.
+  const bool of_modes = roof_ == RoofKind::modes || roof_ == RoofKind::coupled_modes;
+  const double first = of_modes ? 1.0 / 16 : 1.0;
+  const auto may_rest = [&](double step) {
+    for (double part = 1.0; part >= first; part *= 0.5)
+      if (ellipse_.may_rest(rest_of_interval.load(part * step))) return true;
+    return false;
+  };
   double fraction = 1.0;
-  while (fraction > shortest_start && ellipse_.may_rest(rest_of_interval.load(fraction)))
-    fraction *= 0.5;
+  while (fraction > shortest_start && may_rest(fraction)) fraction *= 0.5;
   m.trial = fraction * m.left;
   return Next::slides;
 }
