@@ -69,7 +69,7 @@ struct ExceedanceAt {
   std::string level;                       ///< "DBE"
   double intensity = 0.0, period_s = 0.0;  ///< as dbe_level()
   double probability = 0.0;
-  /// 95 %, from resampling records, and never narrower than that of a binomial without (or with
+  /// 95 %, over records, and never narrower than that of a binomial without (or with
   /// nothing but) exceedances in as many trials as there are records.
   Interval interval;
 };
@@ -87,7 +87,7 @@ struct DisplacementExceedance {
 /// At DBE, at the building period where it is largest.
 struct QuantileDisplacement {
   double displacement_m = 0.0;  ///< infinite where so many histories slide freely
-  Interval interval;            ///< 95 %, from resampling records
+  Interval interval;            ///< 95 %, over records
 };
 /// Probability of exceedance at DBE up to which no warning is given: a limit of this program.
 inline constexpr double accepted_exceedance = 0.1;

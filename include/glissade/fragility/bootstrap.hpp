@@ -30,10 +30,4 @@ std::vector<Interval> bootstrap_intervals(
     const std::function<std::vector<double>(const std::vector<double>&)>& statistics,
     const BootstrapOptions& options);
 
-/// Interval of the mean of records' values, 0 or more and finite, that may be skewed as rates are:
-/// from the lowest end to the highest of the expanded percentile interval, Cox's of lognormal
-/// values (Land 1972, Technometrics 14(1):145-158) and the bootstrap-t of the logarithm, the last
-/// at most 1.5 times as far out as Cox's (theory.md, 6.5). NaN for fewer than two records.
-Interval positive_mean_interval(const std::vector<double>& values, const BootstrapOptions& options);
-
 }  // namespace glissade

@@ -17,9 +17,33 @@ namespace glissade {
 /// these trials exceeds. Where all shares are equal the interval is that share; where they are all
 /// 0 or 1 each record is one trial. NaN for fewer than two records.
 Interval share_interval(const std::vector<double>& shares, double level = 0.95);
+/// Where the records have different numbers of histories, all above 0: of all histories.
+Interval share_interval(const std::vector<double>& shares, const std::vector<double>& histories,
+                        double level = 0.95);
+
+/// How many parts a sum effectively has, (sum p)^2 / sum p^2: n if all are equal, 1 if one is all
+/// of it (Kish 1965, Survey Sampling). NaN where all are 0.
+double effective_number(const std::vector<double>& parts);
+
+/// Interval of the mean of records' values, 0 or more, that may be skewed: Student's t
+/// of ln mean with the standard error s / sqrt(n), and with as many degrees of freedom as the
+/// values less their least are effectively many, less 1, 2 at least. The upper end is that of the
+/// values less their least. Either end is moved out to that of lognormal values (Cox's interval,
+/// Land 1972, Technometrics 14(1):145-158), but to at most twice the distance from ln mean, unless
+/// a value is below a thousandth of the mean (theory.md, 6.5). NaN for fewer than two records, and where a value is infinite.
+Interval positive_mean_interval(const std::vector<double>& values, double level = 0.95);
+
+/// Of the largest of some quantities: the largest of their ends. What is above it is no more than
+/// what is above the interval of the true largest, whichever of them was selected. NaN where one
+/// has none.
+Interval interval_of_largest(const std::vector<Interval>& intervals);
 
 /// Widens intervals of shares, so that those of larger shares do not end lower.
 void order_intervals(const std::vector<double>& shares, std::vector<Interval>& intervals);
+
+/// From how many records on the value that is exceeded with a probability has an upper end: where
+/// none exceeds it, that is 1 - 0.025^(1/n).
+std::size_t records_that_bound(double probability);
 
 /// The interval of a probability, at least as wide as a binomial's where none, or all, of as many
 /// trials as there are records exceed (Clopper & Pearson 1934). Without an interval that of the

@@ -82,6 +82,7 @@ struct Table {
   /// Adds a row. Expects one cell per column: in a column of text a number with its own digits
   /// only, no interval in a column without.
   void add(std::vector<Cell> row);
+  void add_note(std::string text);  ///< unless it is empty
   /// The same table without a column.
   Table without(const std::string& stem) const;
   /// The same table with some columns alone, in this order.

@@ -3,88 +3,51 @@
 #include <cmath>
 #include <numeric>
 
-#include "by_record/resampling.hpp"
 #include "glissade/core/contract.hpp"
 #include "glissade/core/distributions.hpp"
 #include "glissade/core/finite.hpp"
-#include "glissade/fragility/bootstrap.hpp"
+#include "glissade/fragility/share.hpp"
 
 namespace glissade {
 namespace {
 
-using namespace fragility;
-
-/// ln of the mean, and its standard error by the coefficient of variation.
-EstimateWithError log_mean(const std::vector<double>& values, const std::vector<double>& weights) {
+/// Of lognormal values with mean 1: Cox's interval of ln mean (Olsson 2005, J. Statistics Education
+/// 13(1)).
+Interval cox_interval(const std::vector<double>& values, double t) {
   const auto n = static_cast<double>(values.size());
-  const double mean = std::inner_product(values.begin(), values.end(), weights.begin(), 0.0) / n;
-  double squares = 0.0;
-  for (std::size_t i = 0; i < values.size(); ++i)
-    squares += weights[i] * (values[i] - mean) * (values[i] - mean);
-  return {std::log(mean), std::sqrt(squares / (n - 1) / n) / mean};
+  double mean = 0.0, variance = 0.0;
+  for (const double v : values) mean += std::log(v) / n;
+  for (const double v : values) variance += std::pow(std::log(v) - mean, 2) / (n - 1);
+  const double reach = t * std::sqrt(variance / n + variance * variance / (2 * (n - 1)));
+  return {mean + 0.5 * variance - reach, mean + 0.5 * variance + reach};
 }
-
-/// Of a t without a standard error only the sign is known.
-double signed_t(EstimateWithError replicate, double center) {
-  const double departure = replicate.value - center;
-  const double t = departure / replicate.standard_error;
-  return std::isfinite(t) ? t : std::copysign(infinity, departure);
-}
-
-/// What lognormal values of a variance s^2 of their logarithms add to ln of their mean on either
-/// side (Olsson 2005, J. Statistics Education 13(1), for Cox's interval).
-double cox_reach(double variance, double n, double level) {
-  const double t = student_quantile(n - 1, 0.5 + 0.5 * level);
-  return t * std::sqrt(variance / n + variance * variance / (2 * (n - 1)));
-}
-
-/// Cox's interval of ln mean, and the reach that is the measure for the bootstrap's.
-struct Lognormal {
-  Interval log_mean;
-  double reach;
-
-  Lognormal(const std::vector<double>& values, EstimateWithError all, double level) {
-    const auto n = static_cast<double>(values.size());
-    const double of_moments = std::log1p(n * all.standard_error * all.standard_error);
-    log_mean = {all.value, all.value};
-    reach = cox_reach(of_moments, n, level);
-    if (std::ranges::any_of(values, [](double v) { return v == 0; })) return;
-    double mean = 0.0, variance = 0.0;
-    for (const double v : values) mean += std::log(v) / n;
-    for (const double v : values) variance += std::pow(std::log(v) - mean, 2) / (n - 1);
-    const double of_logs = cox_reach(variance, n, level);
-    log_mean = {mean + 0.5 * variance - of_logs, mean + 0.5 * variance + of_logs};
-    reach = std::max(reach, of_logs);
-  }
-};
 
 }  // namespace
 
-Interval positive_mean_interval(const std::vector<double>& values,
-                                const BootstrapOptions& options) {
-  GLISSADE_EXPECTS(
-      std::ranges::all_of(values, [](double v) { return v >= 0 && std::isfinite(v); }));
-  if (values.size() < 2) return {};
-  const EstimateWithError all = log_mean(values, std::vector<double>(values.size(), 1.0));
-  const double mean = std::exp(all.value);
-  if (!(mean > 0) || std::ranges::minmax(values).min == std::ranges::minmax(values).max)
-    return {values.front(), values.front()};
-  std::vector<double> logs, ts;
-  for (const EstimateWithError one : resampled(values.size(), options, [&](const auto& weights) {
-         return log_mean(values, weights);
-       })) {
-    logs.push_back(one.value);
-    ts.push_back(signed_t(one, all.value));
+Interval positive_mean_interval(const std::vector<double>& values, double level) {
+  GLISSADE_EXPECTS(std::ranges::all_of(values, [](double v) { return v >= 0; }));
+  if (values.size() < 2 || std::ranges::count(values, infinity) > 0) return {};
+  const auto [least, largest] = std::ranges::minmax(values);
+  if (least == largest) return {least, least};
+  const auto n = static_cast<double>(values.size());
+  const double mean = std::accumulate(values.begin(), values.end(), 0.0) / n;
+  std::vector<double> scaled, excess;
+  double squares = 0.0;
+  for (const double v : values) {
+    scaled.push_back(v / mean);
+    excess.push_back((v - least) / mean);
+    squares += std::pow(v / mean - 1.0, 2);
   }
-  const Lognormal cox(values, all, options.level);
-  const Interval percentile =
-      percentile_interval(std::move(logs), expanded_tail(values.size(), options.level));
-  const Interval t = percentile_interval(std::move(ts), 0.5 - 0.5 * options.level);
-  const double most = 1.5 * cox.reach;
-  const double down = std::min(t.high * all.standard_error, most),
-               up = std::min(-t.low * all.standard_error, most);
-  return {std::exp(std::min({all.value, percentile.low, cox.log_mean.low, all.value - down})),
-          std::exp(std::max({all.value, percentile.high, cox.log_mean.high, all.value + up}))};
+  const auto t = [&](double freedom) { return student_quantile(freedom, 0.5 + 0.5 * level); };
+  const double error = std::sqrt(squares / (n - 1) / n), fixed = least / mean,
+               reach = t(std::max(2.0, effective_number(excess) - 1)) * error;
+  double low = -reach, high = std::log(fixed + (1.0 - fixed) * std::exp(reach / (1.0 - fixed)));
+  if (fixed > 1e-3) {
+    const Interval cox = cox_interval(scaled, t(n - 1));
+    low = std::min(low, std::max(cox.low, 2.0 * low));
+    high = std::max(high, std::min(cox.high, 2.0 * high));
+  }
+  return {mean * std::exp(low), mean * std::exp(high)};
 }
 
 }  // namespace glissade

@@ -12,15 +12,13 @@
 namespace glissade {
 namespace {
 
-/// How many shares a sum effectively has: n if all are equal, 1 if one is all of it.
-double contributing(const std::vector<double>& shares, double (*of)(double)) {
-  double sum = 0.0, squares = 0.0;
-  for (const double share : shares) {
-    sum += of(share);
-    squares += of(share) * of(share);
-  }
-  return sum * sum / squares;
-}
+/// The records' shares of the histories that exceed, and how many histories each record has.
+struct Shares {
+  const std::vector<double>&shares, &histories;
+  double all = std::accumulate(histories.begin(), histories.end(), 0.0);
+  double mean = std::inner_product(shares.begin(), shares.end(), histories.begin(), 0.0) / all;
+  double records = effective_number(histories);
+};
 
 /// How much smaller the standard error's worth in trials is with few degrees of freedom.
 double reduction(double freedom, double level) {
@@ -29,14 +27,21 @@ double reduction(double freedom, double level) {
   return ratio * ratio;
 }
 
-double effective_trials(const std::vector<double>& shares, double mean, double level) {
-  const double n = static_cast<double>(shares.size());
+double effective_trials(const Shares& of, double level) {
+  const auto n = static_cast<double>(of.shares.size());
   double squares = 0.0;
-  for (const double share : shares) squares += (share - mean) * (share - mean);
-  const double trials = mean * (1.0 - mean) * n * (n - 1.0) / squares;
-  const double freedom = std::min({contributing(shares, [](double p) { return p; }),
-                                   contributing(shares, [](double p) { return 1.0 - p; }), n - 1});
-  return std::max(trials * reduction(freedom, level), std::min(trials, n));
+  std::vector<double> exceed, others;
+  for (std::size_t i = 0; i < of.shares.size(); ++i) {
+    const double departure = of.histories[i] * (of.shares[i] - of.mean);
+    squares += departure * departure;
+    exceed.push_back(of.histories[i] * of.shares[i]);
+    others.push_back(of.histories[i] * (1.0 - of.shares[i]));
+  }
+  const double trials =
+      of.mean * (1.0 - of.mean) * (of.all * of.all / n) * (n - 1.0) / squares;
+  const double freedom =
+      std::min({effective_number(exceed), effective_number(others), of.records - 1});
+  return std::max(trials * reduction(freedom, level), std::min(trials, of.records));
 }
 
 /// The lower end for `successes` of `trials`, which are no whole numbers: with less than one
@@ -47,18 +52,36 @@ double lower_end(double trials, double successes, double tail) {
 
 }  // namespace
 
+double effective_number(const std::vector<double>& parts) {
+  const double sum = std::accumulate(parts.begin(), parts.end(), 0.0);
+  return sum * sum / std::inner_product(parts.begin(), parts.end(), parts.begin(), 0.0);
+}
+
 Interval share_interval(const std::vector<double>& shares, double level) {
-  GLISSADE_EXPECTS(level > 0.0 && level < 1.0);
+  return share_interval(shares, std::vector<double>(shares.size(), 1.0), level);
+}
+
+Interval share_interval(const std::vector<double>& shares, const std::vector<double>& histories,
+                        double level) {
+  GLISSADE_EXPECTS(level > 0.0 && level < 1.0 && shares.size() == histories.size());
   if (shares.size() < 2) return {};
-  const double n = static_cast<double>(shares.size());
-  const double mean = std::accumulate(shares.begin(), shares.end(), 0.0) / n;
-  const bool decided = mean <= 0.0 || mean >= 1.0;
+  const Shares of{shares, histories};
+  const bool decided = of.mean <= 0.0 || of.mean >= 1.0;
   if (!decided && std::ranges::count(shares, shares.front()) == std::ssize(shares))
-    return {mean, mean};
-  const double trials = decided ? n : effective_trials(shares, mean, level);
+    return {of.mean, of.mean};
+  const double trials = decided ? of.records : effective_trials(of, level);
   const double tail = 0.5 - 0.5 * level;
-  return {lower_end(trials, mean * trials, tail),
-          1.0 - lower_end(trials, (1.0 - mean) * trials, tail)};
+  return {lower_end(trials, of.mean * trials, tail),
+          1.0 - lower_end(trials, (1.0 - of.mean) * trials, tail)};
+}
+
+Interval interval_of_largest(const std::vector<Interval>& intervals) {
+  Interval largest{0.0, 0.0};
+  for (const Interval& interval : intervals) {
+    if (std::isnan(interval.low)) return {};
+    largest = {std::max(largest.low, interval.low), std::max(largest.high, interval.high)};
+  }
+  return largest;
 }
 
 void order_intervals(const std::vector<double>& shares, std::vector<Interval>& intervals) {
@@ -71,6 +94,10 @@ void order_intervals(const std::vector<double>& shares, std::vector<Interval>& i
   for (const std::size_t i : order) high = intervals[i].high = std::fmax(intervals[i].high, high);
   std::ranges::reverse(order);
   for (const std::size_t i : order) low = intervals[i].low = std::fmin(intervals[i].low, low);
+}
+
+std::size_t records_that_bound(double probability) {
+  return static_cast<std::size_t>(std::ceil(std::log(0.025) / std::log1p(-probability)));
 }
 
 Interval widened(const Interval& interval, double probability, std::size_t records) {

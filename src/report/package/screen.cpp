@@ -69,7 +69,9 @@ std::string demand_lines(const CalculationPackage& package) {
   }
   const bool is_skewed = std::ranges::any_of(
       package.design.demand, [](const PeriodDemand& d) { return d.p84_m < d.mean_m; });
-  return is_skewed ? text + "  " + percentile_note + "\n" : text;
+  if (is_skewed) text += std::string("  ") + percentile_note + "\n";
+  const std::string open = open_percentile(package.demand.records.size());
+  return open.empty() ? text : text + wrapped(open);
 }
 
 std::string governing_lines(const CalculationPackage& package) {

@@ -206,6 +206,7 @@ Table demand_table(const CalculationPackage& package) {
   table.notes.push_back(std::string("Mean and percentiles: over the records, all in the governing "
                                     "orientation; that of the mean is in the last column. ") +
                         percentile_note);
+  table.add_note(open_percentile(package.demand.records.size()));
   return package.project.of_roof ? table.without("period") : table;
 }
 
@@ -381,7 +382,7 @@ Table exceedance_table(const CalculationPackage& package) {
   table.notes.push_back(fmt::format(
       "The probability is the observed share of the histories, without a fitted curve. {} drawn "
       "within the project's ranges, and the orientation; the slope is the "
-      "steepest: {} for each of {}. The interval is from resampling whole records; "
+      "steepest: {} for each of {}. The interval is over records; "
       "it is never narrower than that of a binomial with one trial for each record.",
       project.of_roof ? "Friction is"
                       : fmt::format("Friction and {} are", varied_of_building(project)),

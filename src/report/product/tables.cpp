@@ -199,6 +199,7 @@ Table all_displacements_table(const ProductSheet& sheet) {
       row.emplace_back(d.period_s);
       table.add(std::move(row));
     }
+  table.add_note(open_percentile(sheet.targets.front().records.size()));
   return table;
 }
 

@@ -49,7 +49,8 @@ std::string estimate_text(ColumnKind kind, const NumberCell& estimate) {
   // The interval in the value's first unit only: a range of metres and inches together is hard to
   // read.
   const auto end = [&](double number) {
-    return kind == ColumnKind::length ? length_number(number, LengthUnits::first())
+    return std::isinf(number)         ? std::string("unbounded")
+           : kind == ColumnKind::length ? length_number(number, LengthUnits::first())
                                       : number_text(kind, number);
   };
   return value + " [" + end(estimate.interval.low) + ", " + end(estimate.interval.high) + "]";
@@ -185,6 +186,10 @@ Column detail(Column column) {
 void Table::add(std::vector<Cell> row) {
   GLISSADE_EXPECTS(std::ranges::equal(columns, row, belongs_in));
   rows.push_back(std::move(row));
+}
+
+void Table::add_note(std::string text) {
+  if (!text.empty()) notes.push_back(std::move(text));
 }
 
 namespace {

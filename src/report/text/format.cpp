@@ -12,6 +12,7 @@
 #include "glissade/core/units.hpp"
 #include "glissade/core/wrap.hpp"
 #include "glissade/fragility/goodness_of_fit.hpp"
+#include "glissade/fragility/share.hpp"
 
 namespace glissade {
 
@@ -128,6 +129,15 @@ std::string format_length_interval(const Interval& interval_m) {
   if (std::isfinite(interval.low) && std::isinf(interval.high))
     return format_number(interval.low) + unit + " or more";
   return format_interval(interval) + unit;
+}
+
+std::string open_percentile(std::size_t records) {
+  const std::size_t fewest = records_that_bound(0.16);
+  return records >= fewest
+             ? ""
+             : fmt::format("Fewer than {} records do not bound the 84th percentile from above (95 % "
+                           "interval), fewer than {} the 95th.",
+                           fewest, records_that_bound(0.05));
 }
 
 std::string standard_name(Standard standard) {

@@ -95,8 +95,7 @@ ThresholdFragility fit_threshold(const Results& results, const RunResults& run,
 }
 
 SlipStatistics statistics_of(const PooledLevel& pooled, const Results& results,
-                             const RunResults& run, std::size_t level,
-                             const BootstrapOptions& options) {
+                             const RunResults& run, std::size_t level) {
   const HistoryTable& histories = results.histories;
   SlipStatistics s;
   s.level = results.levels[level];
@@ -104,9 +103,11 @@ SlipStatistics statistics_of(const PooledLevel& pooled, const Results& results,
   s.p84_m = pooled.quantile_m(0.84);
   s.p95_m = pooled.quantile_m(0.95);
   s.mean_m = pooled.mean_m();
-  s.mean_interval = pooled.mean_interval(options);
-  s.median_interval = pooled.quantile_interval(0.5, options);
-  s.p84_interval = pooled.quantile_interval(0.84, options);
+  s.mean_interval = pooled.mean_interval();
+  if (results.records.size() > 1) {
+    s.median_interval = pooled.exceeded_interval(0.5);
+    s.p84_interval = pooled.exceeded_interval(0.16);
+  }
   s.uplift_share = mean_of(histories, histories.fields.uplift, slice_of(run), level);
   s.mean_vector_m = mean_of(histories, histories.fields.peak_vector_m, slice_of(run), level);
   return s;
@@ -151,7 +152,7 @@ RunResults fragility_of(const StudyConfig& config, const Results& results,
   run.slip.resize(levels.size());
   const auto describe_level = [&](std::size_t level) {
     const PooledLevel pooled = pooled_at(results.histories, slice_of(run), level);
-    run.slip[level] = statistics_of(pooled, results, run, level, options);
+    run.slip[level] = statistics_of(pooled, results, run, level);
     for (std::size_t s = 0; s < standards.size(); ++s) {
       run.standards[s * levels.size() + level] =
           compare(standards[s], levels[level], config.standards, pooled);
@@ -165,8 +166,7 @@ RunResults fragility_of(const StudyConfig& config, const Results& results,
       describe_level(i - fits);
   });
   if (config.impact)
-    run.impact =
-        impact_statistics(results.histories, slice_of(run), levels, results.thresholds_m, options);
+    run.impact = impact_statistics(results.histories, slice_of(run), levels, results.thresholds_m);
   return run;
 }
 

@@ -66,8 +66,7 @@ Interval reached_interval(const Happened& happened, std::size_t samples) {
   return share_interval(shares);
 }
 
-ImpactStatistics statistics_of(const Happened& happened, std::size_t samples,
-                               const BootstrapOptions& options) {
+ImpactStatistics statistics_of(const Happened& happened, std::size_t samples) {
   const std::vector<double> times = sorted_together(happened.time_s),
                             speeds = sorted_together(happened.speed_mps);
   const std::size_t histories = happened.time_s.size() * samples;
@@ -84,8 +83,8 @@ ImpactStatistics statistics_of(const Happened& happened, std::size_t samples,
   if (happened.records() < fewest_records) return s;
   if (speeds.size() < histories) s.reached_share.interval = reached_interval(happened, samples);
   const PooledLevel pooled(happened.speed_mps);
-  s.speed_median_mps.interval = pooled.quantile_interval(0.5, options);
-  s.speed_p84_mps.interval = pooled.quantile_interval(0.84, options);
+  s.speed_median_mps.interval = pooled.exceeded_interval(0.5);
+  s.speed_p84_mps.interval = pooled.exceeded_interval(0.16);
   return s;
 }
 
@@ -93,13 +92,12 @@ ImpactStatistics statistics_of(const Happened& happened, std::size_t samples,
 
 std::vector<ImpactStatistics> impact_statistics(const HistoryTable& histories, CaseSlice cases,
                                                 std::span<const double> levels,
-                                                std::span<const double> thresholds_m,
-                                                const BootstrapOptions& options) {
+                                                std::span<const double> thresholds_m) {
   GLISSADE_EXPECTS(histories.records > 0 && cases.count > 0);
   std::vector<ImpactStatistics> all(thresholds_m.size() * levels.size());
   in_parallel(all.size(), [&](std::size_t i) {
     const std::size_t t = i / levels.size(), l = i % levels.size();
-    all[i] = statistics_of(Happened(histories, cases, l, t), cases.count, options);
+    all[i] = statistics_of(Happened(histories, cases, l, t), cases.count);
     all[i].level = levels[l];
     all[i].threshold_m = thresholds_m[t];
   });

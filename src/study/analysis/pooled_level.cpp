@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numeric>
 #include <utility>
 
@@ -13,14 +12,6 @@
 
 namespace glissade {
 namespace {
-
-constexpr std::size_t bins = 512;
-
-// An infinite slip (beyond the largest threshold, not run) has its place among the others, but
-// differences of two have none: resampling takes a number above all that happens for it.
-constexpr double stand_in = 1e100;
-double finite(double value) { return std::isinf(value) ? stand_in : value; }
-double infinite(double value) { return value > 1e-3 * stand_in ? infinity : value; }
 
 double mean_of(const std::vector<double>& values) {
   return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
@@ -49,21 +40,12 @@ std::vector<double> merged(const std::vector<std::vector<double>>& lists) {
 
 PooledLevel::PooledLevel(std::vector<std::vector<double>> slips_m)
     : by_record_(std::move(slips_m)) {
+  std::erase_if(by_record_, [](const std::vector<double>& slips) { return slips.empty(); });
   for (std::vector<double>& slips : by_record_) {
     record_means_.push_back(mean_of(slips));
     std::sort(slips.begin(), slips.end());
   }
   sorted_ = merged(by_record_);
-  for (std::size_t bin = 1; bin <= bins; ++bin)
-    bin_edges_.push_back(sorted_[(sorted_.size() * bin - 1) / bins]);
-  for (const std::vector<double>& slips : by_record_) {
-    std::vector<double> cumulative;
-    for (const double edge : bin_edges_) {
-      cumulative.push_back(
-          static_cast<double>(std::upper_bound(slips.begin(), slips.end(), edge) - slips.begin()));
-    }
-    record_cumulative_.push_back(std::move(cumulative));
-  }
 }
 
 double PooledLevel::quantile_m(double probability) const {
@@ -77,55 +59,18 @@ double PooledLevel::share_above(double slip_m) const {
   return static_cast<double>(above) / static_cast<double>(sorted_.size());
 }
 
-Interval PooledLevel::quantile_interval(double probability, const BootstrapOptions& options) const {
-  Interval interval = bootstrap_interval(
-      by_record_.size(),
-      [&](const std::vector<double>& weights) {
-        const auto count_up_to = [&](std::size_t bin) {
-          double count = 0.0;
-          for (std::size_t record = 0; record < weights.size(); ++record) {
-            count += weights[record] * record_cumulative_[record][bin];
-          }
-          return count;
-        };
-        const double drawn = count_up_to(bins - 1), wanted = probability * drawn;
-        if (drawn == 0.0) return std::numeric_limits<double>::quiet_NaN();
-        std::size_t low = 0, high = bins - 1;  // the first bin that holds the wanted count
-        while (low < high) {
-          const std::size_t middle = (low + high) / 2;
-          if (count_up_to(middle) >= wanted) {
-            high = middle;
-          } else {
-            low = middle + 1;
-          }
-        }
-        return finite(bin_edges_[low]);
-      },
-      options);
-  // The bins' quantile may be one rank from the estimate.
-  interval.low = std::min(infinite(interval.low), quantile_m(probability));
-  interval.high = std::max(infinite(interval.high), quantile_m(probability));
-  return interval;
-}
-
-Interval PooledLevel::mean_interval(const BootstrapOptions& options) const {
-  if (std::isinf(mean_m())) return {};  // no interval
-  return bootstrap_interval(
-      record_means_.size(),
-      [&](const std::vector<double>& weights) {
-        return std::inner_product(weights.begin(), weights.end(), record_means_.begin(), 0.0) /
-               static_cast<double>(weights.size());
-      },
-      options);
+Interval PooledLevel::mean_interval() const {
+  return positive_mean_interval(record_means_);
 }
 
 Interval PooledLevel::share_interval(double slip_m) const {
-  std::vector<double> shares;
+  std::vector<double> shares, histories;
   for (const std::vector<double>& slips : by_record_) {
     const auto above = slips.end() - std::upper_bound(slips.begin(), slips.end(), slip_m);
-    shares.push_back(static_cast<double>(above) / static_cast<double>(slips.size()));
+    histories.push_back(static_cast<double>(slips.size()));
+    shares.push_back(static_cast<double>(above) / histories.back());
   }
-  return glissade::share_interval(shares);
+  return glissade::share_interval(shares, histories);
 }
 
 Interval PooledLevel::wide_share_interval(double slip_m) const {
@@ -136,10 +81,18 @@ Interval PooledLevel::exceeded_interval(double probability) const {
   const double quantile = quantile_m(1.0 - probability);
   const auto low = std::ranges::partition_point(
       sorted_, [&](double slip_m) { return wide_share_interval(slip_m).low > probability; });
-  // From above: the upper end of a share's interval need not fall everywhere as slip grows.
-  auto high = sorted_.end();
-  while (high != sorted_.begin() && wide_share_interval(*std::prev(high)).high <= probability)
-    --high;
+  const auto is_above = [&](double slip_m) {
+    return wide_share_interval(slip_m).high > probability;
+  };
+  // From above, in steps: the upper end of a share's interval need not fall everywhere as slip
+  // grows.
+  const std::ptrdiff_t step = std::max<std::ptrdiff_t>(1, std::ssize(sorted_) / 512);
+  auto begin = sorted_.end(), end = sorted_.end();
+  do {
+    end = begin;
+    begin = end - std::min(step, end - sorted_.begin());
+  } while (begin != end && !is_above(*begin));
+  const auto high = std::partition_point(begin, end, is_above);
   return {low == sorted_.end() ? quantile : std::min(*low, quantile),
           high == sorted_.end() ? infinity : std::max(*high, quantile)};
 }

@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "glissade/core/random.hpp"
+#include "glissade/fragility/share.hpp"
 
 namespace glissade {
 namespace {
@@ -76,17 +77,17 @@ TEST(bootstrap_interval, is_empty_for_one_record) {
 }
 
 // 1,000 studies each of lognormal rates: below 0.93 with probability 2e-3 were it 95 %; expanded
-// percentiles cover 0.83 to 0.95, and what they miss is above them.
+// percentiles cover 0.76 to 0.95, and what they miss is above them.
 TEST(positive_mean_interval, covers_the_mean_of_lognormal_rates) {
   for (const int records : {7, 22, 44}) {
-    for (const double spread : {0.5, 0.77, 1.0}) {
+    for (const double spread : {0.5, 0.77, 1.0, 1.4}) {
       double share = 0;
       for (int study = 0; study < 1000; ++study) {
         std::vector<double> rates;
         for (int i = 0; i < records; ++i)
           rates.push_back(1e-4 *
                           std::exp(spread * keyed_normal(study, RandomPurpose::test, i, 77)));
-        share += covers(positive_mean_interval(rates, {.seed = 5, .replicates = 400}),
+        share += covers(positive_mean_interval(rates),
                         1e-4 * std::exp(0.5 * spread * spread))
                      ? 1e-3
                      : 0;
@@ -99,24 +100,41 @@ TEST(positive_mean_interval, covers_the_mean_of_lognormal_rates) {
   }
 }
 
+// In 11 records some 70 % have the rate of the highest level, which they do not reach: percentiles
+// of resamples cover 78 %, Cox's interval with the bootstrap-t 81 %. 600 studies: 3 sigma are 2.6 %.
+TEST(positive_mean_interval, covers_rates_that_few_records_carry) {
+  double truth = 0, share = 0;
+  for (int i = 0; i < 4000; ++i) {  // by the midpoint rule
+    const double z = -8 + 16 * (i + 0.5) / 4000;
+    truth += 16 / 4000.0 * std::exp(std::max(z, 0.524) - 0.5 * z * z) / std::sqrt(2 * std::acos(-1));
+  }
+  for (int study = 0; study < 600; ++study) {
+    std::vector<double> rates;
+    for (int i = 0; i < 11; ++i)
+      rates.push_back(std::exp(std::max(0.524, keyed_normal(study, RandomPurpose::test, i, 78))));
+    share += covers(positive_mean_interval(rates), truth) ? 1 / 600.0 : 0;
+  }
+  EXPECT_GE(share, 0.93);
+}
+
 TEST(positive_mean_interval, is_finite_with_ties_and_zeros_and_contains_the_mean) {
   for (const std::vector<double>& rates :
        {std::vector{1e-5, 1e-5, 1e-5, 1e-5, 1e-5, 1e-5, 1e-3}, std::vector{0.0, 0.0, 0.0, 2.0},
         std::vector{1e-300, 1e-5, 3e-5}}) {
     const double mean =
         std::accumulate(rates.begin(), rates.end(), 0.0) / static_cast<double>(rates.size());
-    const Interval interval = positive_mean_interval(rates, {});
+    const Interval interval = positive_mean_interval(rates);
     EXPECT_LE(interval.low, mean);
     EXPECT_GT(interval.high, mean);
     EXPECT_GE(interval.low, 0.0);
     EXPECT_FALSE(std::isnan(interval.high));
-    EXPECT_EQ(positive_mean_interval(rates, {}).high, interval.high);
+    EXPECT_EQ(positive_mean_interval(rates).high, interval.high);
   }
-  const Interval equal = positive_mean_interval({2e-4, 2e-4, 2e-4}, {});
+  const Interval equal = positive_mean_interval({2e-4, 2e-4, 2e-4});
   EXPECT_EQ(equal.low, 2e-4);
   EXPECT_EQ(equal.high, 2e-4);
-  EXPECT_EQ(positive_mean_interval({0.0, 0.0}, {}).high, 0.0);
-  EXPECT_TRUE(std::isnan(positive_mean_interval({1.0}, {}).low));
+  EXPECT_EQ(positive_mean_interval({0.0, 0.0}).high, 0.0);
+  EXPECT_TRUE(std::isnan(positive_mean_interval({1.0}).low));
 }
 
 }  // namespace

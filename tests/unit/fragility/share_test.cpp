@@ -27,6 +27,36 @@ TEST(share_interval, is_the_share_where_all_records_have_the_same) {
   EXPECT_EQ(interval.high, 0.125);
 }
 
+// Equal numbers of histories, whatever they are, are those of one each.
+TEST(share_interval, counts_records_by_their_histories) {
+  const std::vector<double> shares{0.1, 0.5, 0.2, 0.9, 0.4, 0.3};
+  const Interval each = share_interval(shares), of_50 = share_interval(shares, std::vector(6, 50.0)),
+                 of_more = share_interval(shares, {1, 1, 1, 4, 1, 1});
+  EXPECT_NEAR(of_50.low, each.low, 1e-12);
+  EXPECT_NEAR(of_50.high, each.high, 1e-12);
+  EXPECT_LT(of_more.low, each.low);  // less than six records are effective
+  EXPECT_GT(of_more.high, each.high);
+}
+
+// (1 - p)^n = 0.025: ln 0.025 / ln 0.84 = 21.2, / ln 0.5 = 5.3.
+TEST(records_that_bound, are_as_many_as_the_interval_of_none_takes) {
+  EXPECT_EQ(records_that_bound(0.16), 22u);
+  EXPECT_EQ(records_that_bound(0.5), 6u);
+  EXPECT_EQ(records_that_bound(0.05), 72u);
+  for (const double p : {0.16, 0.5, 0.05}) {
+    const std::size_t n = records_that_bound(p);
+    EXPECT_LE(share_interval(std::vector(n, 0.0)).high, p);
+    EXPECT_GT(share_interval(std::vector(n - 1, 0.0)).high, p);
+  }
+}
+
+TEST(interval_of_largest, has_the_largest_of_both_ends) {
+  const Interval all = interval_of_largest({{0.1, 0.9}, {0.3, 0.5}, {0.2, 0.4}});
+  EXPECT_EQ(all.low, 0.3);
+  EXPECT_EQ(all.high, 0.9);
+  EXPECT_TRUE(std::isnan(interval_of_largest({{0.1, 0.9}, {}}).high));
+}
+
 TEST(share_interval, of_the_histories_that_do_not_exceed_is_its_mirror_image) {
   const Interval some = share_interval({0.0, 0.02, 0.3, 0.0, 0.1, 0.0, 0.8}),
                  others = share_interval({1.0, 0.98, 0.7, 1.0, 0.9, 1.0, 0.2});

@@ -78,8 +78,8 @@ TEST(impact_report, draws_only_what_enough_records_reach) {
   const auto forget_all_but = [&](std::size_t records) {
     for (std::size_t i = records * of_record; i < speed_mps.size(); ++i)
       speed_mps[i] = time_s[i] = std::nan("");
-    run.impact = impact_statistics(results.histories, slice_of(run), results.levels,
-                                   results.thresholds_m, {});
+    run.impact =
+        impact_statistics(results.histories, slice_of(run), results.levels, results.thresholds_m);
   };
   EXPECT_THAT(key_of(impact_figure(results, run)), testing::Contains(states("= 2.00 g")));
   forget_all_but(3);

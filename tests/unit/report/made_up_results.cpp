@@ -343,8 +343,7 @@ Results made_up_impact_results() {
     }
   }
   for (RunResults& run : results.runs)
-    run.impact = impact_statistics(table, slice_of(run), results.levels, results.thresholds_m,
-                                   {.seed = 1, .replicates = 100});
+    run.impact = impact_statistics(table, slice_of(run), results.levels, results.thresholds_m);
   return results;
 }
 

@@ -39,7 +39,7 @@ struct ChartPoint {
   double level = 0.0, slope_deg = 0.0, mu = 0.0;
   bool free_sliding = false;
   ChartSlip largest;                ///< over the building periods, each number by itself
-  Interval mean_interval;           ///< 95 % of largest.mean_m, bootstrap over records
+  Interval mean_interval;           ///< 95 % of largest.mean_m, over records
   double governing_period_s = 0.0;  ///< where the mean is largest
   double clearance_m = 0.0;         ///< factor x largest mean, after Walters et al. (2012)
   double uplift_share = 0.0;        ///< of the histories at this point

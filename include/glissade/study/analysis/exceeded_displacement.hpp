@@ -8,7 +8,7 @@ namespace glissade {
 /// What some histories exceed with a probability.
 struct ExceededDisplacement {
   double value_m = 0.0;  ///< infinite where so many slide freely
-  Interval interval;     ///< 95 %, from resampling records
+  Interval interval;     ///< 95 %, over records
 };
 ExceededDisplacement exceeded_displacement(const Results& results, CaseSlice cases,
                                            std::size_t level, double probability);

@@ -31,7 +31,7 @@ struct ThresholdFragility {
   bool on_stripes = false;
   const FitSummary& curve_fit() const { return on_stripes ? stripes : capacities; }
   std::vector<double> probability;             ///< observed share exceeding, per level
-  std::vector<Interval> probability_interval;  ///< 95 %, bootstrap over records, per level
+  std::vector<Interval> probability_interval;  ///< 95 %, over records, per level
   double recross_share =
       0.0;  ///< of (record, sample) that reached it: share falling below it again at a higher level
   std::vector<double> record_recross;  ///< 1 where any sample of the record recrosses

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -32,6 +33,7 @@ struct HazardConfig {
 struct ThresholdRate {
   double threshold_m = 0.0;
   Estimate annual_rate;         ///< infinite where a history slides freely
+  double effective_records = std::numeric_limits<double>::quiet_NaN();  ///< that carry the rate
   double beyond_share = 0.0;    ///< part of the rate that comes from histories so counted
   double fit_rate = 0.0;        ///< of the lognormal fit; NaN without one
   Estimate life_probability;    ///< of one exceedance or more in the design life

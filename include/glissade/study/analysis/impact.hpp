@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "glissade/fragility/bootstrap.hpp"
+#include "glissade/fragility/fit.hpp"
 #include "glissade/study/analysis/analysis.hpp"
 #include "glissade/study/run/history_table.hpp"
 
@@ -17,19 +17,17 @@ namespace glissade {
 /// have any that does there is no interval.
 struct ImpactStatistics {
   double level = 0.0, threshold_m = 0.0;
-  Estimate reached_share;  ///< of all histories at the level; bootstrap over records, as all here
+  Estimate reached_share;  ///< of all histories at the level; interval over records, as all here
   Estimate speed_median_mps, speed_p84_mps;
   double speed_p16_mps = 0.0, speed_p95_mps = 0.0, speed_largest_mps = 0.0;
   double time_median_s = 0.0, time_p16_s = 0.0, time_p84_s = 0.0;  ///< from the record's begin
 };
 
-/// First crossings of some cases, by (threshold, level). Records are the independent unit:
-/// intervals resample them whole, and percentiles of speed are over those histories of
-/// the drawn records that reach it.
+/// First crossings of some cases, by (threshold, level). Records are the independent unit
+/// of the intervals; percentiles of speed are over those histories that reach it.
 std::vector<ImpactStatistics> impact_statistics(const HistoryTable& histories, CaseSlice cases,
                                                 std::span<const double> levels,
-                                                std::span<const double> thresholds_m,
-                                                const BootstrapOptions& options);
+                                                std::span<const double> thresholds_m);
 
 struct ImpactAnalysis {
   struct InStudy {

@@ -25,7 +25,7 @@ struct RareRow {
   double probability = 0.0;
   Interval sampling_interval;  ///< 95 %, of the samples, on these records; NaN where fewer than
                                ///< least_effective_samples carry the probability
-  Interval record_interval;    ///< 95 %, bootstrap over records
+  Interval record_interval;    ///< 95 %, over records
   /// (sum p_r)^2 / sum p_r^2 of the records' probabilities p_r: the number that carries it. NaN at
   /// 0.
   double effective_records = 0.0;

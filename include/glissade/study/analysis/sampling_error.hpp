@@ -21,7 +21,7 @@ struct SamplingErrorRow {
   std::string label;  ///< of the run
   double threshold_m = 0.0;
   double median = 0.0;          ///< NaN: not fitted, also where there is a bound of it
-  double record_error = 0.0;    ///< the bootstrap interval of ln median (95 %) over 3.92
+  double record_error = 0.0;    ///< the interval of ln median (95 %) over 3.92
   double sampling_error = 0.0;  ///< from the scrambles; NaN where a part has no fit
 };
 

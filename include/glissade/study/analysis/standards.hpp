@@ -25,7 +25,7 @@ struct StandardComparison {
   double sds_g = 0.0;
   Prescription prescribed;
   double exceedance_probability = 0.0;  ///< share of histories with slip above it
-  Interval exceedance_interval;         ///< 95 %, bootstrap over records
+  Interval exceedance_interval;         ///< 95 %, over records
 };
 
 /// Found with each RunResults and Chart.

@@ -28,18 +28,19 @@ std::string shown_sentence(const Results& results) {
   }
   const std::string target = target_text(results),
                     of_target = target.empty() ? "" : " Design target: " + target + ".";
+  const std::string open = open_percentile(results.records.size());
   const std::string interval =
       std::isnan(p.mean_interval.low)
           ? ""
           : " (95 % interval of the mean " + format_length_interval(p.mean_interval) + ")";
   return fmt::format(
       "{}, the {} is {}: {:g} x the mean over {} records, {}{}. Over {} the 84th "
-      "percentile is {}, the 95th {}, the largest {}.{}{}",
+      "percentile is {}, the 95th {}, the largest {}.{}{}{}",
       where, design_name(results), format_length(p.clearance_m), clearance_factor(results),
       results.records.size(), format_length(p.largest.mean_m), interval,
       results.cases.samples > 1 ? "records and samples pooled" : "the records",
       format_length(p.largest.p84_m), format_length(p.largest.p95_m),
-      format_length(p.largest.envelope_m), period, of_target);
+      format_length(p.largest.envelope_m), open.empty() ? "" : " " + open, period, of_target);
 }
 
 std::string standard_sentence(const Results& results, const ChartPrescription& prescription) {

@@ -57,7 +57,7 @@ Table means_table(const MeansByCondition& of, FileName name, std::string title) 
   put("largest", "Largest history", "largest of all records and orientations", &M::largest).detail =
       is_length;
   t.add_each(of.means);
-  t.notes = {"[ ]: 95 % interval, from resampling records",
+  t.notes = {"[ ]: 95 % interval, over records",
              "bounds: with the orientation chosen record by record"};
   return t;
 }

@@ -261,7 +261,7 @@ Table fragility_summary_table(const Results& results) {
   }
   Table table = without_run_key(results, without_capacities(results, with_listed(results, t)));
   table.notes = friction_names(results);
-  if (const std::string note = crossing_note(results); !note.empty()) table.notes.push_back(note);
+  table.add_note(crossing_note(results));
   if (largest_floor == 0.0) return table.without("free_sliding_share").without("p50");
   table.notes.push_back(
       least_floor == 1.0
@@ -322,7 +322,8 @@ Table slip_table(const Results& results) {
     return std::ranges::any_of(run.slip,
                                [](const S& slip) { return !std::isnan(slip.mean_vector_m); });
   });
-  const Table table = with_listed(results, t);
+  Table table = with_listed(results, t);
+  table.add_note(open_percentile(results.records.size()));
   return two_axes ? table : table.without("mean_vector");
 }
 

@@ -71,7 +71,9 @@ Table impact_table(const Results& results) {
   t.number("p84_time", "84th percentile of time", "84th percentile of the" + time, &S::time_p84_s,
            "s");
   t.add_each(results.runs, &RunResults::impact);
-  return with_listed(results, t);
+  Table table = with_listed(results, t);
+  table.add_note(open_percentile(results.records.size()));
+  return table;
 }
 
 Figure impact_figure(const Results& results, const RunResults& run) {

@@ -100,7 +100,7 @@ Table shape_table(const Results& results) {
       "Not lognormal: p below 0.05 (Cramer-von Mises distance, parametric bootstrap, records as "
       "the unit) and a gap of 0.05 or more. Best model: by cross-validation over records. Recross: "
       "the largest share, over the levels, that reached the clearance at a lower level and does "
-      "not there."};
+      "not there. Of lognormal curves one in twenty has p below 0.05 by chance."};
   return with_listed(results, t);
 }
 

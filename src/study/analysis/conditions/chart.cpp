@@ -9,7 +9,7 @@
 #include "glissade/core/finite.hpp"
 #include "glissade/core/quantile.hpp"
 #include "glissade/core/units.hpp"
-#include "glissade/fragility/bootstrap.hpp"
+#include "glissade/fragility/share.hpp"
 
 namespace glissade {
 namespace {
@@ -59,24 +59,6 @@ ChartSlip statistics_of(const std::vector<std::vector<double>>& slips) {
           quantile_of_sorted(all, 0.95), all.back()};
 }
 
-/// 95 % interval of the largest mean over periods. @param means_m by period, then record
-Interval interval_of_largest_mean(const std::vector<std::vector<double>>& means_m,
-                                  const BootstrapOptions& options) {
-  const std::size_t records = means_m.front().size();
-  return bootstrap_interval(
-      records,
-      [&](const std::vector<double>& weights) {
-        double largest = 0.0;
-        for (const std::vector<double>& means : means_m) {
-          largest = std::max(
-              largest, std::inner_product(weights.begin(), weights.end(), means.begin(), 0.0) /
-                           static_cast<double>(records));
-        }
-        return largest;
-      },
-      options);
-}
-
 /// Share of the histories at a point in which the array lifts off.
 double uplift_share(const HistoryTable& table, const PointCases& cases, std::size_t level) {
   double set = 0.0, all = 0.0;
@@ -95,8 +77,7 @@ double uplift_share(const HistoryTable& table, const PointCases& cases, std::siz
 
 /// One point of the chart.
 ChartPoint make_point(const Chart& chart, const Results& results, const PointCases& cases,
-                      std::size_t level, ChartPoint point, double factor,
-                      const BootstrapOptions& options) {
+                      std::size_t level, ChartPoint point, double factor) {
   point.uplift_share = uplift_share(results.histories, cases, level);
   point.free_sliding = std::tan(point.slope_deg * rad_per_deg) >= point.mu;
   if (point.free_sliding) {
@@ -106,10 +87,10 @@ ChartPoint make_point(const Chart& chart, const Results& results, const PointCas
     point.by_period.assign(cases.size(), point.largest);
     return point;
   }
-  std::vector<std::vector<double>> means_m;
+  std::vector<Interval> mean_intervals;
   for (const auto& of_period : cases) {
     const std::vector<std::vector<double>> slips = slips_of(results, of_period, level);
-    means_m.push_back(means_by_record(slips));
+    mean_intervals.push_back(positive_mean_interval(means_by_record(slips)));
     point.by_period.push_back(statistics_of(slips));
   }
   const auto largest = [&](double ChartSlip::*which) {
@@ -124,7 +105,7 @@ ChartPoint make_point(const Chart& chart, const Results& results, const PointCas
                    [&](const ChartSlip& s) { return s.mean_m == point.largest.mean_m; });
   point.governing_period_s =
       chart.period_s[static_cast<std::size_t>(governing - point.by_period.begin())];
-  point.mean_interval = interval_of_largest_mean(means_m, options);
+  point.mean_interval = interval_of_largest(mean_intervals);
   point.clearance_m = factor * point.largest.mean_m;
   return point;
 }
@@ -172,8 +153,6 @@ std::vector<PointCases> cases_of_points(const Chart& chart, const CaseSet& set) 
 Chart ChartAnalysis::find(const StudyConfig& config, const Results& results) {
   const ChartConfig& chart_config = *config.chart;
   const std::vector<double>& levels = results.levels;
-  const BootstrapOptions options{.seed = config.seed,
-                                 .replicates = config.sampling.bootstrap_replicates};
   Chart chart{.mu = chart_axis(config.quantities.at("friction", "mu")),
               .period_s = chart_axis(config.quantities.at("building", "period_s")),
               .shown_slope_deg = chart_config.shown_slope_deg,
@@ -190,7 +169,7 @@ Chart ChartAnalysis::find(const StudyConfig& config, const Results& results) {
       for (const double mu : chart.mu)
         chart.points.push_back(make_point(chart, results, *cases++, level,
                                           {.level = levels[level], .slope_deg = slope, .mu = mu},
-                                          factor, options));
+                                          factor));
   }
   for (const ChartQuestion& question : chart_config.questions)
     chart.readings.push_back(read_off(chart, levels, question));

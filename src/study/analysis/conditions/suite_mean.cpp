@@ -9,6 +9,7 @@
 #include "glissade/core/finite.hpp"
 #include "glissade/core/quantile.hpp"
 #include "glissade/core/random.hpp"
+#include "glissade/fragility/share.hpp"
 #include "glissade/study/results.hpp"
 
 namespace glissade {
@@ -67,18 +68,18 @@ class Values {
     return largest_mean(
         [&](std::size_t p, std::size_t r) { return values_(p, orientation_of(r), r); });
   }
-  /// All records in one orientation, each with its weight.
-  double weighted_mean(std::size_t orientation, const std::vector<double>& weights) const {
-    double largest = 0.0;
+  /// All records in one orientation, and the interval of the largest.
+  double orientation_mean(std::size_t orientation) const {
+    return mean_as([&](std::size_t) { return orientation; });
+  }
+  Interval orientation_interval(std::size_t orientation) const {
+    std::vector<Interval> by_period;
     for (std::size_t p = 0; p < values_.rows; ++p) {
-      double sum = 0.0, weight = 0.0;
-      for (std::size_t r = 0; r < values_.depth; ++r) {
-        sum += weights[r] * values_(p, orientation, r);
-        weight += weights[r];
-      }
-      largest = std::max(largest, sum / weight);
+      std::vector<double> values;
+      for (std::size_t r = 0; r < values_.depth; ++r) values.push_back(values_(p, orientation, r));
+      by_period.push_back(positive_mean_interval(values));
     }
-    return largest;
+    return interval_of_largest(by_period);
   }
   /// Of all records and orientations.
   double largest() const { return *std::max_element(values_.data.begin(), values_.data.end()); }
@@ -95,10 +96,10 @@ class Values {
   Array3 values_;
 };
 
-std::vector<double> weighted_means(const Values& values, const std::vector<double>& weights) {
+std::vector<double> orientation_means(const Values& values) {
   std::vector<double> means;
   for (std::size_t o = 0; o < values.orientations().size(); ++o)
-    means.push_back(values.weighted_mean(o, weights));
+    means.push_back(values.orientation_mean(o));
   return means;
 }
 
@@ -149,8 +150,7 @@ double suite_mean(const Results& results, const MeanQuestion& question, std::siz
 
 std::vector<double> means_by_orientation(const Results& results, const MeanQuestion& question,
                                          const Condition& at, Periods periods) {
-  const Values values(results, question, at, periods);
-  return weighted_means(values, std::vector<double>(values.records().size(), 1.0));
+  return orientation_means(Values(results, question, at, periods));
 }
 
 double mean_by(OrientationRule rule, const std::vector<double>& means) {
@@ -160,18 +160,20 @@ double mean_by(OrientationRule rule, const std::vector<double>& means) {
 OrientationRange over_orientations(const Results& results, const MeanQuestion& question,
                                    const Condition& at, Periods periods) {
   const Values values(results, question, at, periods);
-  const std::size_t records = values.records().size();
-  const std::vector<double> means = weighted_means(values, std::vector<double>(records, 1.0));
+  const std::vector<double> means = orientation_means(values);
   const auto [low, high] = std::minmax_element(means.begin(), means.end());
-  const std::vector<Interval> intervals =
-      bootstrap_intervals(records, 2,
-                          [&](const std::vector<double>& weights) {
-                            const std::vector<double> resampled = weighted_means(values, weights);
-                            return std::vector{mean_by(OrientationRule::median, resampled),
-                                               mean_by(OrientationRule::largest, resampled)};
-                          },
-                          {.seed = results.seed});
-  return {*low, mean_by(OrientationRule::median, means), *high, intervals[0], intervals[1]};
+  std::vector<double> lows, highs;
+  for (std::size_t o = 0; o < means.size(); ++o) {
+    const Interval interval = values.orientation_interval(o);
+    lows.push_back(interval.low);
+    highs.push_back(interval.high);
+  }
+  const auto interval = [&](OrientationRule rule) {
+    return std::isnan(lows.front()) ? Interval{}
+                                    : Interval{mean_by(rule, lows), mean_by(rule, highs)};
+  };
+  return {*low, mean_by(OrientationRule::median, means), *high, interval(OrientationRule::median),
+          interval(OrientationRule::largest)};
 }
 
 std::size_t governing_period(const Results& results, const MeanQuestion& question,

@@ -8,6 +8,7 @@
 
 #include "analysis/hazard/design_life.hpp"
 #include "glissade/core/finite.hpp"
+#include "glissade/fragility/share.hpp"
 #include "glissade/study/cases/case_scene.hpp"
 #include "glissade/study/config.hpp"
 #include "glissade/study/results.hpp"
@@ -73,7 +74,6 @@ struct Rates {
   const HazardConfig& hazard;
   const Results& results;
   CaseSlice cases;
-  BootstrapOptions options;
   double highest = hazard.curve.annual_rate(results.levels.back());
 
   std::size_t records() const { return results.histories.records; }
@@ -83,13 +83,11 @@ struct Rates {
     return std::isinf(capacity) ? highest : hazard.curve.annual_rate(capacity);
   }
 
-  /// None where no history decides the rate: resampling shows nothing of what none of them reached.
+  /// None where no history decides the rate: the records show nothing of what none of them reached.
   Interval interval(const std::vector<double>& by_record) const {
-    const bool infinite = std::ranges::any_of(by_record, [](double r) { return std::isinf(r); });
     const bool unseen =
         std::ranges::all_of(by_record, [&](double r) { return r <= (1.0 + 1e-12) * highest; });
-    if (infinite || unseen) return {};
-    return positive_mean_interval(by_record, options);
+    return unseen ? Interval{} : positive_mean_interval(by_record);
   }
 
   Estimate estimate(const std::vector<double>& by_record) const {
@@ -126,6 +124,7 @@ struct Rates {
     }
     ThresholdRate row{.threshold_m = fragility.threshold_m};
     row.annual_rate = estimate(by_record);
+    if (std::isfinite(row.annual_rate.value)) row.effective_records = effective_number(by_record);
     row.beyond_share =
         fragility.censored_share == 1.0
             ? 1.0
@@ -274,7 +273,7 @@ HazardResults HazardAnalysis::find(const StudyConfig& config, const Results& res
   found.beyond_rate = hazard.curve.annual_rate(results.levels.back());
   found.residual_vectors = !results.histories.fields.residual_along_m.empty();
   for (const RunResults& run : results.runs) {
-    const Rates rates{hazard, results, slice_of(run), options};
+    const Rates rates{hazard, results, slice_of(run)};
     HazardRun& row = found.runs.emplace_back();
     row.label = run.label;
     for (std::size_t t = 0; t < run.fragilities.size(); ++t)

@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "glissade/study/analysis/rare.hpp"
 
-#include <cmath>
-#include <limits>
-#include <numeric>
+#include <algorithm>
 
 #include "glissade/core/contract.hpp"
-#include "glissade/fragility/bootstrap.hpp"
+#include "glissade/fragility/share.hpp"
 #include "glissade/sampling/importance.hpp"
 #include "glissade/study/analysis/fragility.hpp"
 #include "glissade/study/cases/sample_points.hpp"
@@ -48,26 +46,16 @@ class RareEvent {
     row.plain_samples = found.plain_samples;
     row.effective_samples = found.effective_samples;
     if (found.standard_error > 0.0) row.sampling_interval = {found.low, found.high};
-    add_records(of_record, config, row);
+    add_records(of_record, row);
     return row;
   }
 
  private:
-  static void add_records(const std::vector<double>& of_record, const StudyConfig& config,
-                          RareRow& row) {
-    const double sum = std::accumulate(of_record.begin(), of_record.end(), 0.0);
-    const double squares =
-        std::inner_product(of_record.begin(), of_record.end(), of_record.begin(), 0.0);
-    row.effective_records =
-        squares > 0.0 ? sum * sum / squares : std::numeric_limits<double>::quiet_NaN();
-    if (sum == 0.0) return;
-    row.record_interval = bootstrap_interval(
-        of_record.size(),
-        [&](const std::vector<double>& drawn) {
-          return std::inner_product(drawn.begin(), drawn.end(), of_record.begin(), 0.0) /
-                 static_cast<double>(drawn.size());
-        },
-        {.seed = config.seed, .replicates = config.sampling.bootstrap_replicates});
+  static void add_records(const std::vector<double>& of_record, RareRow& row) {
+    row.effective_records = effective_number(of_record);
+    if (row.probability == 0.0) return;
+    row.record_interval = positive_mean_interval(of_record);
+    row.record_interval.high = std::min(row.record_interval.high, 1.0);
   }
 
   const Results& results_;

@@ -90,9 +90,26 @@ ReachedTarget reached_target(const StudyConfig& study, const std::vector<Samplin
   return reached;
 }
 
-/// The samples that the target would take: plain Monte Carlo, on the safe side.
+/// The samples that the target would take: plain Monte Carlo, on the safe side. Or an error of the
+/// samples that the intervals, which are over records, leave out.
 std::vector<std::string> SamplingErrorAnalysis::warnings(const Results& results,
-                                                         const StudyConfig&) {
+                                                         const StudyConfig& study) {
+  constexpr std::size_t few = 8;
+  constexpr double small = 0.5;  // beside the error of the records: adds 12 % to an interval
+  if (study.draws() && !results.runs.empty() && results.cases.samples < few)
+    return {fmt::format(
+        "{} sample(s) of the quantities that are drawn: the intervals are over records, and the "
+        "error of so few samples, which is not known, is not in them. Give sampling.samples = 64 "
+        "or more",
+        results.cases.samples)};
+  const auto large = std::ranges::find_if(results.sampling_errors, [](const SamplingErrorRow& row) {
+    return row.sampling_error > small * row.record_error;
+  });
+  if (large != results.sampling_errors.end() && !results.reached_target)
+    return {fmt::format(
+        "the standard error of a median is {:.2g} % from the samples, {:.2g} % from the records: "
+        "the intervals are over records, and leave the former out. Give more samples",
+        100.0 * large->sampling_error, 100.0 * large->record_error)};
   if (!results.reached_target || results.reached_target->is_reached()) return {};
   const ReachedTarget& target = *results.reached_target;
   const std::string reached =

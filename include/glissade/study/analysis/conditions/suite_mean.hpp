@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "glissade/fragility/bootstrap.hpp"
+#include "glissade/fragility/fit.hpp"
 #include "glissade/study/analysis/conditions/condition_grid.hpp"
 
 // What is read from the histories by condition: means over a suite, what is largest over the
@@ -54,7 +54,7 @@ double mean_by(OrientationRule rule, const std::vector<double>& means);
 
 struct OrientationRange {
   double lowest = 0.0, median = 0.0, highest = 0.0;
-  Interval interval;          ///< 95 % of the median, bootstrap over records; NaN for one record
+  Interval interval;          ///< 95 % of the median, over records; NaN for one record
   Interval highest_interval;  ///< the same of the highest
 
   double of(OrientationRule rule) const {
