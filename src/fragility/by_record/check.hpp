@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -25,6 +26,14 @@ void check_weights(const std::vector<Row>& rows) {
   }
   if (!rows.empty() && sum == 0)
     throw InputError({"weights", "all of them are 0", "give at least one above 0", ""});
+}
+
+/// The unit of weights: the largest. Divided by it their sums of squares and fourths are finite.
+template <class Row>
+double largest_weight(const std::vector<Row>& rows) {
+  double largest = 0;
+  for (const Row& row : rows) largest = std::max(largest, row.weight);
+  return largest;
 }
 
 }  // namespace glissade::fragility

@@ -22,12 +22,13 @@ bool says_nothing(const Bracket& row) { return row.low == 0 && std::isinf(row.hi
 
 /// The mean of ln x, of capacities that are known exactly if there are any.
 double center_of(const std::vector<Bracket>& rows) {
+  const double unit = largest_weight(rows);
   double weight = 0, sum = 0;
   std::vector<double> ends;
   for (const Bracket& row : rows) {
     if (is_exact(row)) {
-      weight += row.weight;
-      sum += row.weight * std::log(row.low);
+      weight += row.weight / unit;
+      sum += row.weight / unit * std::log(row.low);
     }
     for (const double end : {row.low, row.high})
       if (row.weight > 0 && end > 0 && std::isfinite(end)) ends.push_back(end);
@@ -87,9 +88,11 @@ Records::Records(const std::vector<Stripe>& rows, Independent independent)
     : counts_(true), rows_are_independent_(independent == Independent::rows) {
   check(rows);
   pooled_.center = center_of(rows);
+  const double unit = largest_weight(rows);
   double weight = 0;
   for (std::size_t i = 0; i < rows.size(); ++i) {
-    const Stripe& row = rows[i];
+    Stripe row = rows[i];
+    row.weight /= unit;
     if (row.weight * row.trials == 0) continue;
     if (weight == 0) weight = row.weight;
     equal_weights_ = equal_weights_ && row.weight == weight;
@@ -117,9 +120,11 @@ Records::Records(const std::vector<Bracket>& rows, Independent independent)
   check(rows);
   pooled_.center = center_of(rows);
   const auto in_logs = [&](double x) { return std::log(x) - pooled_.center; };
+  const double unit = largest_weight(rows);
   double weight = 0;
   for (std::size_t i = 0; i < rows.size(); ++i) {
-    const Bracket& row = rows[i];
+    Bracket row = rows[i];
+    row.weight /= unit;
     if (row.weight == 0) continue;
     if (says_nothing(row)) {
       ++without_limit_;
