@@ -93,9 +93,8 @@ std::optional<LineRegion> region_of(const Records& data, const PointFit& point,
                                 ? "profile likelihood"
                                 : "profile likelihood, scaled by the variance between records";
   return LineRegion(
-      [&data, penalised](const ProbitLine& l) {
-        return (penalised ? jeffreys_likelihood(data.pooled(), l) : likelihood(data.pooled(), l))
-            .value;
+      [rows = summed(data.pooled(), line), penalised](const ProbitLine& l) {
+        return (penalised ? jeffreys_likelihood(rows, l) : likelihood(rows, l)).value;
       },
       line, allowance.half_axes(), allowance);
 }
@@ -107,6 +106,26 @@ void note_extrapolation(const Records& data, const ProbitLine& line, FitSummary&
   add_sentence(summary.note, std::string("the data ") +
                                  (beyond > 0 ? "end below 50 %" : "begin above 50 %") +
                                  ": the median is an extrapolation by the lognormal");
+}
+
+/// Where simulations show that the intervals cover less than they state (verification manual, 5.2).
+void note_small_sample(const Records& data, FitSummary& summary) {
+  if (data.independent_counts()) return;
+  const Worth& worth = data.worth();
+  const auto count = static_cast<double>(data.count());
+  if (worth.freedom < 1.99)
+    add_sentence(summary.note,
+                 std::string("the records") + (data.equal_weights() ? "" : ", by their weights,") +
+                     " leave less than two degrees of freedom: the intervals say little");
+  else if (count < 20 && worth.records < 0.9 * count)
+    add_sentence(summary.note,
+                 "few records with uneven weights or numbers of rows: the 95 % intervals cover as "
+                 "little as 90 %");
+  else if (count >= 7 && std::min(data.contributing(true), data.contributing(false)) < 6)
+    add_sentence(summary.note,
+                 std::string("fewer than six records ") +
+                     (data.contributing(true) < 6 ? "exceed" : "do not exceed") +
+                     ": the 95 % intervals cover as little as 92 %");
 }
 
 /// A bound has a median interval with one open end, and the log_std that it assumes.
@@ -144,6 +163,7 @@ FitSummary summary_of(const Records& data, const PointFit& point,
   summary.method = (point.status == FitStatus::jeffreys_penalised ? "Jeffreys penalised " : "") +
                    data.method() + (data.one_row_each() ? "" : ", records pooled");
   note_extrapolation(data, point.line, summary);
+  note_small_sample(data, summary);
   const std::optional<LineRegion> region = region_of(data, point, summary);
   if (!region) return summary;
   const Intervals intervals(data, *region);

@@ -6,6 +6,7 @@
 #include "by_record/intervals.hpp"
 #include "cloud/cloud_variance.hpp"
 #include "glissade/core/distributions.hpp"
+#include "glissade/core/finite.hpp"
 #include "glissade/core/root.hpp"
 #include "lognormal/likelihood.hpp"
 #include "lognormal/line_region.hpp"
@@ -15,19 +16,20 @@ namespace {
 
 using namespace fragility;
 
-using Quantity = std::function<double(const TwoPartFit&)>;
+using Quantity = std::function<double(const CloudFit&)>;
 
-TwoPartFit fit_of(const CloudParameters& p, const TwoPartFit& like) {
-  TwoPartFit fit = like;
-  fit.any = to_curve({p[0], p[1]}, 0.0);
-  fit.intercept = p[2];
-  fit.slope = p[3];
-  fit.log_std = p[4];
+CloudFit fit_of(const CloudParameters& p, const CloudFit& like) {
+  CloudFit fit = like;
+  fit.parts.any = to_curve({p[0], p[1]}, 0.0);
+  fit.parts.intercept = p[2];
+  fit.parts.slope = p[3];
+  fit.parts.log_std = p[4];
+  if (fit.collapse) fit.collapse = to_curve({p[5], p[6]}, 0.0);
   return fit;
 }
 
 /// By the delta method, with central differences. None where the variance is not known.
-Interval interval_of(const Quantity& quantity, const TwoPartFit& fit, const CloudVariance& errors) {
+Interval interval_of(const Quantity& quantity, const CloudFit& fit, const CloudVariance& errors) {
   const CloudParameters p = parameters_of(fit);
   double variance = 0.0;
   CloudParameters gradient;
@@ -47,10 +49,11 @@ Interval interval_of(const Quantity& quantity, const TwoPartFit& fit, const Clou
 }
 
 /// ln of the intensity at which half exceed.
-double log_p50(const TwoPartFit& fit, double threshold) {
+double log_p50(const CloudFit& fit, double threshold) {
+  const TwoPartFit& parts = fit.parts;
   const auto excess = [&](double y) { return fit.probability(std::exp(y), threshold) - 0.5; };
-  double low = (std::log(threshold) - fit.intercept) / fit.slope, high = low;  // of the size alone
-  const double step = fit.log_std / fit.slope;
+  double low = (std::log(threshold) - parts.intercept) / parts.slope, high = low;  // of the size alone
+  const double step = parts.log_std / parts.slope;
   for (int i = 0; i < 200 && excess(low) > 0; ++i) low -= step;
   for (int i = 0; i < 200 && excess(high) < 0; ++i) high += 0.5 * step * (1 << std::min(i, 20));
   if (low == high) return low;
@@ -63,11 +66,13 @@ void check(const std::vector<CloudPoint>& points, const std::vector<double>& thr
     return std::isfinite(x) && (x > 0 || (or_zero && x == 0));
   };
   for (const CloudPoint& point : points) {
-    if (is_number(point.intensity, false) && is_number(point.displacement, true)) continue;
+    if (is_number(point.intensity, false) &&
+        (is_number(point.displacement, true) || point.displacement == infinity))
+      continue;
     problems.add({"cloud",
                   "intensity " + std::to_string(point.intensity) + ", displacement " +
                       std::to_string(point.displacement),
-                  "give an intensity above 0 and a displacement of 0 or more", ""});
+                  "give an intensity above 0 and a displacement of 0 or more, inf of a collapse", ""});
   }
   for (const double threshold : thresholds) {
     if (!is_number(threshold, false))
@@ -80,8 +85,10 @@ void check(const std::vector<CloudPoint>& points, const std::vector<double>& thr
 
 /// With weights that sum to as many as they are worth, so that log_std is over n - 2.
 std::vector<CloudPoint> scaled(std::vector<CloudPoint> points) {
+  const double unit = largest_weight(points);
   double sum = 0, squares = 0;
-  for (const CloudPoint& point : points) {
+  for (CloudPoint& point : points) {
+    point.weight /= unit;
     sum += point.weight;
     squares += point.weight * point.weight;
   }
@@ -92,7 +99,7 @@ std::vector<CloudPoint> scaled(std::vector<CloudPoint> points) {
 std::vector<SlipSums> sums_of(const std::vector<CloudPoint>& points) {
   std::vector<SlipSums> rows;
   for (const CloudPoint& point : points) {
-    if (point.weight == 0) continue;
+    if (point.weight == 0 || std::isinf(point.displacement)) continue;
     rows.push_back({.intensity = point.intensity});
     rows.back().add(point.displacement, point.weight);
   }
@@ -117,12 +124,25 @@ LogRows any_counts(const std::vector<CloudPoint>& points) {
   LogRows counts;
   counts.center = mean_log(intensities);
   for (const CloudPoint& point : points) {
-    if (point.weight == 0) continue;
+    if (point.weight == 0 || std::isinf(point.displacement)) continue;
     const bool slips = point.displacement > 0;
     counts.add_counts(std::log(point.intensity) - counts.center, slips ? point.weight : 0.0,
                       slips ? 0.0 : point.weight);
   }
   return counts;
+}
+
+/// None where no row collapses.
+std::optional<FitSummary> collapse_of(const std::vector<CloudPoint>& points) {
+  std::vector<Stripe> rows;
+  bool any = false;
+  for (const CloudPoint& point : points) {
+    const bool collapses = std::isinf(point.displacement);
+    any = any || (collapses && point.weight > 0);
+    rows.push_back({point.intensity, 1.0, collapses ? 1.0 : 0.0, point.weight, point.record});
+  }
+  if (!any) return std::nullopt;
+  return fit_stripes(rows, Independent::records);
 }
 
 }  // namespace
@@ -136,18 +156,22 @@ CloudSummary fit_cloud(const std::vector<CloudPoint>& points,
   const std::vector<CloudPoint> rows = scaled(points);
   summary.fit = fit_two_part(sums_of(rows));
   summary.effective_records = effective_number(record_weights(rows));
-  if (!summary.fit.has_curve()) return summary;
-  for (CloudMedian& row : summary.medians) row.p50 = std::exp(log_p50(summary.fit, row.threshold));
+  summary.collapse = collapse_of(rows);
+  if (!summary.fit.has_curve() || (summary.collapse && !summary.collapse->converged()))
+    return summary;
+  CloudFit fit{summary.fit};
+  if (summary.collapse) fit.collapse = summary.collapse->curve;
+  for (CloudMedian& row : summary.medians) row.p50 = std::exp(log_p50(fit, row.threshold));
   if (record_weights(rows).size() < 2) return summary;
-  const CloudVariance errors = cloud_variance(rows, summary.fit);
+  const CloudVariance errors = cloud_variance(rows, fit);
   const auto interval = [&](const Quantity& quantity) {
-    return interval_of(quantity, summary.fit, errors);
+    return interval_of(quantity, fit, errors);
   };
-  summary.intercept_interval = interval([](const TwoPartFit& f) { return f.intercept; });
-  summary.slope_interval = interval([](const TwoPartFit& f) { return f.slope; });
+  summary.intercept_interval = interval([](const CloudFit& f) { return f.parts.intercept; });
+  summary.slope_interval = interval([](const CloudFit& f) { return f.parts.slope; });
   summary.log_std_interval = chi_square_interval(summary.fit.log_std, errors.log_std_freedom);
   if (summary.fit.any_status == FitStatus::maximum_likelihood) {
-    const LogRows counts = any_counts(rows);
+    const LogRows all = any_counts(rows), counts = summed(all, to_line(summary.fit.any, all.center));
     const Interval y =
         any_region(counts, summary.fit, errors.median_design_effect, errors).range(log_median);
     summary.any_median_interval = exponentials({counts.center + y.low, counts.center + y.high});
@@ -156,10 +180,12 @@ CloudSummary fit_cloud(const std::vector<CloudPoint>& points,
             .range(fragility::log_std);
   }
   // Separated records do not show how much they differ: neither part of such a median has one.
-  if (summary.fit.any_status == FitStatus::jeffreys_penalised) return summary;
+  if (summary.fit.any_status == FitStatus::jeffreys_penalised ||
+      (summary.collapse && summary.collapse->status == FitStatus::jeffreys_penalised))
+    return summary;
   for (CloudMedian& row : summary.medians)
     row.p50_interval =
-        exponentials(interval([&](const TwoPartFit& f) { return log_p50(f, row.threshold); }));
+        exponentials(interval([&](const CloudFit& f) { return log_p50(f, row.threshold); }));
   return summary;
 }
 

@@ -34,13 +34,13 @@ struct LinePart {
 };
 
 struct RecordPart {
-  LinePart any, size;
+  LinePart any, size, collapse;
   double slips = 0.0, squares = 0.0;  ///< weight of the rows that slip; of their residuals
 };
 
 class CloudRecords {
  public:
-  CloudRecords(const std::vector<CloudPoint>& points, const TwoPartFit& fit)
+  CloudRecords(const std::vector<CloudPoint>& points, const CloudFit& fit)
       : fit_(fit), p_(parameters_of(fit)) {
     std::map<std::size_t, RecordPart> parts;
     for (const CloudPoint& point : points)
@@ -49,6 +49,7 @@ class CloudRecords {
     for (const RecordPart& part : parts_) {
       any_ += part.any.information;
       size_ += part.size.information;
+      collapse_ += part.collapse.information;
       slips_ += part.slips;
       squares_ += part.squares;
     }
@@ -66,17 +67,20 @@ class CloudRecords {
   }
 
  private:
-  bool has_any() const { return fit_.any_status != FitStatus::upper_bound; }
+  bool has_any() const { return fit_.parts.any_status != FitStatus::upper_bound; }
 
   void add(const CloudPoint& point, RecordPart& record) const {
     const double y = std::log(point.intensity), w = point.weight;
     const Vector2d x{1, y};
-    if (has_any()) {
-      const LogShares shares = log_shares(Link::probit, p_[0] + p_[1] * y);
-      const bool slips = point.displacement > 0;
-      const LogShares::Part& part = slips ? shares.above : shares.below;
-      record.any.add(w * (slips ? part.hazard : -part.hazard), w * part.curvature, x);
-    }
+    const auto add_share = [&](LinePart& part, Eigen::Index at, bool exceeds) {
+      const LogShares shares = log_shares(Link::probit, p_[at] + p_[at + 1] * y);
+      const LogShares::Part& of = exceeds ? shares.above : shares.below;
+      part.add(w * (exceeds ? of.hazard : -of.hazard), w * of.curvature, x);
+    };
+    const bool collapses = std::isinf(point.displacement);
+    if (fit_.collapse) add_share(record.collapse, 5, collapses);
+    if (collapses) return;
+    if (has_any()) add_share(record.any, 0, point.displacement > 0);
     if (point.displacement == 0) return;
     const double r = std::log(point.displacement) - p_[2] - p_[3] * y;
     record.size.add(w * r, w, x);
@@ -91,12 +95,13 @@ class CloudRecords {
     return effective_number(weights);
   }
 
-  Eigen::Matrix<double, 5, 5> covariance() const {
-    Eigen::Matrix<double, 5, 5> sum = Eigen::Matrix<double, 5, 5>::Zero();
+  Eigen::Matrix<double, 7, 7> covariance() const {
+    Eigen::Matrix<double, 7, 7> sum = Eigen::Matrix<double, 7, 7>::Zero();
     for (const RecordPart& part : parts_) {
       CloudParameters change = CloudParameters::Zero();
       if (has_any()) change.head<2>() = part.any.change(any_);
       if (part.slips > 0) change.segment<2>(2) = part.size.change(size_);
+      if (fit_.collapse) change.tail<2>() = part.collapse.change(collapse_);
       sum += change * change.transpose();
     }
     return sum;
@@ -137,24 +142,26 @@ class CloudRecords {
     found.log_std_design_effect = between(1, 1) / rows(1, 1);
   }
 
-  const TwoPartFit& fit_;
+  const CloudFit& fit_;
   CloudParameters p_;
   std::vector<RecordPart> parts_;
-  Matrix2d any_ = Matrix2d::Zero(), size_ = Matrix2d::Zero();
+  Matrix2d any_ = Matrix2d::Zero(), size_ = any_, collapse_ = any_;
   double slips_ = 0.0, squares_ = 0.0;
 };
 
 }  // namespace
 
-CloudParameters parameters_of(const TwoPartFit& fit) {
+CloudParameters parameters_of(const CloudFit& fit) {
+  const TwoPartFit& parts = fit.parts;
+  const ProbitLine any = parts.any_status == FitStatus::upper_bound ? ProbitLine(0, 1)
+                                                                    : to_line(parts.any, 0.0),
+                   collapse = fit.collapse ? to_line(*fit.collapse, 0.0) : ProbitLine(0, 1);
   CloudParameters p;
-  const ProbitLine any =
-      fit.any_status == FitStatus::upper_bound ? ProbitLine(0, 1) : to_line(fit.any, 0.0);
-  p << any[0], any[1], fit.intercept, fit.slope, fit.log_std;
+  p << any[0], any[1], parts.intercept, parts.slope, parts.log_std, collapse[0], collapse[1];
   return p;
 }
 
-CloudVariance cloud_variance(const std::vector<CloudPoint>& points, const TwoPartFit& fit) {
+CloudVariance cloud_variance(const std::vector<CloudPoint>& points, const CloudFit& fit) {
   return CloudRecords(points, fit).variance(effective_number(record_weights(points)));
 }
 

@@ -106,6 +106,38 @@ Evaluation likelihood(const LogRows& rows, const ProbitLine& line, Link link) {
   return sum;
 }
 
+LogRows summed(const LogRows& rows, const ProbitLine& line) {
+  constexpr std::size_t many = 2000;
+  constexpr double width = 0.01, far = 4;  // where z is large the cells are wider
+  if (rows.cuts.size() + rows.between.size() <= many) return rows;
+  const auto cell = [&](double y) {
+    return std::floor(far / width * std::asinh((line[0] + line[1] * y) / far));
+  };
+  struct Sum {
+    CutWeight weight;
+    double low = 0, high = 0;
+  };
+  std::map<std::pair<double, double>, Sum> cuts, between;
+  for (const auto& [y, cut] : rows.cuts) {
+    Sum& sum = cuts[{cell(y), 0}];
+    sum.weight.exceeding += cut.exceeding;
+    sum.weight.held += cut.held;
+    sum.low += cut.trials() * y;
+  }
+  for (const auto& [ends, weight] : rows.between) {
+    Sum& sum = between[{cell(ends.first), cell(ends.second)}];
+    sum.weight.held += weight;
+    sum.low += weight * ends.first;
+    sum.high += weight * ends.second;
+  }
+  LogRows all{rows.center, rows.exact};
+  for (const auto& [at, sum] : cuts)
+    all.add_counts(sum.low / sum.weight.trials(), sum.weight.exceeding, sum.weight.held);
+  for (const auto& [at, sum] : between)
+    all.add_bracket(sum.low / sum.weight.held, sum.high / sum.weight.held, sum.weight.held);
+  return all;
+}
+
 Evaluation jeffreys_likelihood(const LogRows& rows, const ProbitLine& line) {
   // Expected information per trial w = phi^2 / (Phi (1 - Phi)); d ln w / dz = -2 z - phi/Phi +
   // phi/(1 - Phi).

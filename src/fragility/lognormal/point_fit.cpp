@@ -65,15 +65,49 @@ PointFit fit_point(const LogRows& rows, const ProbitLine& start) {
   return of_line(FitStatus::maximum_likelihood, newton_maximum(objective, start), rows.center);
 }
 
+namespace {
+
+auto objective_of(const LogRows& counts) {
+  return [&counts](const ProbitLine& line) { return jeffreys_likelihood(counts, line); };
+}
+
+/// Counts with the origin of y moved to `origin`.
+LogRows moved(const LogRows& counts, double origin) {
+  LogRows rows;
+  rows.center = counts.center + origin;
+  for (const auto& [y, cut] : counts.cuts) rows.add_counts(y - origin, cut.exceeding, cut.held);
+  return rows;
+}
+
+/// Of counts that are separated at y = 0, where the penalised likelihood may have several maxima:
+/// the best of slopes that double from that of all levels to that of the nearest.
+ProbitLine guess_at_gap(const LogRows& counts) {
+  const Interval range = counts.range();
+  const double nearest = std::max(1e-12, std::min(-counts.highest_low(), counts.lowest_high()));
+  ProbitLine best{0.0, 1.0 / std::max(-range.low, range.high)};
+  double greatest = objective_of(counts)(best).value;
+  for (double slope = 2.0 * best[1]; slope < 1.0 / nearest; slope *= 2) {
+    const double value = objective_of(counts)({0.0, slope}).value;
+    if (value > greatest) greatest = value, best = {0.0, slope};
+  }
+  return best;
+}
+
+}  // namespace
+
 PointFit fit_jeffreys(const LogRows& counts) {
   const RowsShape shape = shape_of(counts);
   if (shape != RowsShape::overlapping && shape != RowsShape::separated)
     return fit_point(counts, first_guess(counts));
-  const auto objective = [&](const ProbitLine& line) { return jeffreys_likelihood(counts, line); };
-  PointFit fit = of_line(FitStatus::jeffreys_penalised,
-                         newton_maximum(objective, first_guess(counts)), counts.center);
-  if (shape == RowsShape::separated)
-    fit.note = "the stripes are separated by intensity: the likelihood alone has no finite maximum";
+  if (shape == RowsShape::overlapping)
+    return of_line(FitStatus::jeffreys_penalised,
+                   newton_maximum(objective_of(counts), first_guess(counts)), counts.center);
+  const double gap = 0.5 * (counts.highest_low() + counts.lowest_high());
+  const LogRows about = moved(counts, gap);
+  std::optional<ProbitLine> line = newton_maximum(objective_of(about), guess_at_gap(about));
+  if (line) (*line)[0] -= (*line)[1] * gap;
+  PointFit fit = of_line(FitStatus::jeffreys_penalised, line, counts.center);
+  fit.note = "the stripes are separated by intensity: the likelihood alone has no finite maximum";
   return fit;
 }
 

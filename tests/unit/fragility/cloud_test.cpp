@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 
 #include "coverage_share.hpp"
 #include "glissade/core/error.hpp"
@@ -48,6 +49,55 @@ TEST(fit_cloud, recovers_both_parts) {
     EXPECT_LT(row.p50_interval.low, row.p50);
     EXPECT_GT(row.p50_interval.high, row.p50);
   }
+}
+
+// Random intensities near where slip begins, all on one side of it: the penalised likelihood has
+// several maxima. The greatest by a search over log_std and median.
+TEST(fit_cloud, of_10000_separated_rows_has_the_greatest_likelihood) {
+  std::vector<CloudPoint> points;
+  for (std::size_t i = 0; i < 10000; ++i) {
+    const double x = std::exp(0.8 * keyed_normal(1, RandomPurpose::test, i, 0));
+    points.push_back({x, x > 0.7 ? 0.1 * x * std::exp(0.1 * normal(i, 3)) : 0.0, 1.0, i % 100});
+  }
+  const CloudSummary fit = fit_cloud(points, {0.1});
+  EXPECT_EQ(fit.fit.any_status, FitStatus::jeffreys_penalised);
+  EXPECT_NEAR(fit.fit.any.median, 0.7, 1e-4);
+  EXPECT_NEAR(fit.fit.any.log_std, 4.12e-4, 2e-6);
+}
+
+// More than 2,000 rows are summed in cells: each row three times has the rows' own intervals, but
+// for the cells.
+TEST(fit_cloud, has_the_intervals_of_its_rows_where_they_are_summed) {
+  const std::vector<CloudPoint> all = cloud(160, 11);
+  std::vector<CloudPoint> apart = all;  // 2,400 intensities
+  for (std::size_t i = 0; i < apart.size(); ++i)
+    apart[i].intensity *= std::exp(1e-7 * static_cast<double>(i));
+  const CloudSummary few = fit_cloud(all, {0.1}), many = fit_cloud(apart, {0.1});
+  for (Interval CloudSummary::*of :
+       {&CloudSummary::any_median_interval, &CloudSummary::any_log_std_interval}) {
+    EXPECT_NEAR((many.*of).low, (few.*of).low, 2e-3 * (few.*of).low);
+    EXPECT_NEAR((many.*of).high, (few.*of).high, 2e-3 * (few.*of).high);
+  }
+}
+
+// Collapse above x = 2 e^(0.3 z): P = P_c + (1 - P_c) P(two parts), and half exceed 0.2 at x with
+// Phi(ln(x/2)/0.3) + Phi(-ln(x/2)/0.3) Phi((1.5 ln x - ln 2)/0.5) = 0.5: x = 1.4711 by bisection.
+TEST(fit_cloud, counts_collapsed_rows_as_beyond_every_displacement) {
+  std::vector<CloudPoint> points = cloud(400, 5);
+  const CloudSummary without = fit_cloud(points, {0.2});
+  EXPECT_FALSE(without.collapse.has_value());
+  for (std::size_t i = 0; i < points.size(); ++i)
+    if (std::log(points[i].intensity / 2) > 0.3 * normal(9, static_cast<int>(i)))
+      points[i].displacement = std::numeric_limits<double>::infinity();
+  const CloudSummary fit = fit_cloud(points, {0.2});
+  ASSERT_TRUE(fit.collapse.has_value());
+  EXPECT_NEAR(fit.collapse->curve.median, 2.0, 0.03);
+  EXPECT_NEAR(fit.collapse->curve.log_std, 0.3, 0.02);
+  EXPECT_NEAR(fit.fit.slope, 1.5, 0.06);
+  EXPECT_NEAR(fit.medians[0].p50, 1.4711, 0.03);
+  EXPECT_LT(fit.medians[0].p50_interval.low, fit.medians[0].p50);
+  EXPECT_GT(fit.medians[0].p50_interval.high, fit.medians[0].p50);
+  EXPECT_LT(fit.medians[0].p50, without.medians[0].p50);
 }
 
 // 200 studies of 20 records: nominal 95 %, with a standard deviation of 1.5 %.

@@ -39,6 +39,47 @@ TEST(weights, of_equal_weights_is_the_plain_fit) {
   }
 }
 
+/// What is printed of a fit.
+std::vector<double> numbers_of(const FitSummary& fit) {
+  return {fit.curve.median,         fit.curve.log_std,         fit.median_interval.low,
+          fit.median_interval.high, fit.log_std_interval.low,  fit.log_std_interval.high,
+          fit.effective_records};
+}
+
+// Sums of squares of weights were 0 below 1e-162, of fourth powers infinite from 1e77 on.
+TEST(weights, have_no_unit) {
+  const auto fits = [](double unit) {
+    std::vector<Stripe> counts;
+    std::vector<Bracket> capacities;
+    for (std::size_t record = 0; record < 9; ++record) {
+      const double weight = unit * (1 + static_cast<double>(record % 4));
+      for (const double x : {0.5, 1.0, 1.5})
+        counts.push_back({x, 9, std::min(9.0, std::floor(5 * x + static_cast<double>(record % 3))),
+                          weight, record});
+      capacities.push_back({0.3 + 0.1 * static_cast<double>(record),
+                            0.3 + 0.1 * static_cast<double>(record), weight, record});
+    }
+    std::vector<double> all = numbers_of(fit_stripes(counts, Independent::records));
+    for (const double x : numbers_of(fit_brackets(capacities, Independent::records)))
+      all.push_back(x);
+    return all;
+  };
+  const std::vector<double> plain = fits(1.0);
+  for (const double unit : {1e-300, 1e-85, 1e77, 1e150, 1e300}) {
+    const std::vector<double> other = fits(unit);
+    for (std::size_t i = 0; i < plain.size(); ++i)
+      EXPECT_NEAR(other[i], plain[i], 1e-9 * plain[i]) << unit << " " << i;
+  }
+}
+
+// 36/18 - 1 = 1 degree of freedom: Student's t is 12.7.
+TEST(weights, of_three_capacities_that_leave_one_degree_of_freedom_are_noted) {
+  const std::vector<Bracket> rows{{0.4, 0.4, 1, 0}, {0.6, 0.6, 2, 1}, {0.7, 0.7, 1, 2}};
+  const FitSummary fit = fit_brackets(rows, Independent::records);
+  EXPECT_NE(fit.note.find("less than two degrees of freedom"), std::string::npos) << fit.note;
+  EXPECT_GT(fit.median_interval.high / fit.median_interval.low, 1e3);
+}
+
 TEST(weights, weighs_as_often_as_a_row_is_repeated_and_without_weight_not_at_all) {
   std::vector<Stripe> weighted, repeated;
   for (std::size_t record = 0; record < 6; ++record) {
