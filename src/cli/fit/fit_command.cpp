@@ -22,13 +22,31 @@ struct FitOptions {
   bool json = false;
 };
 
+/// Of counts of an IDA: the same number of trials at every level, and counts that never fall.
+bool may_be_of_the_same_records(std::vector<Stripe> rows) {
+  std::ranges::sort(rows, {}, &Stripe::intensity);
+  return rows.size() > 2 && rows.front().trials > 1 &&
+         std::ranges::adjacent_find(rows, [](const Stripe& a, const Stripe& b) {
+           return a.trials != b.trials || a.exceedances > b.exceedances;
+         }) == rows.end();
+}
+
 FitOutput fit_counts(const CountsInput& input) {
-  if (input.has.weight && !input.has.record)
+  if (input.has.weight && !input.has.unit())
     throw InputError({"weight", "needs the column record: whose trials are not independent",
                       "name the record of each row", ""});
-  if (!input.has.record) return {fit_stripes(input.rows, Independent::rows)};
+  if (!input.has.unit()) {
+    FitOutput output{fit_stripes(input.rows, Independent::rows)};
+    output.notes.emplace_back("every trial is taken as independent, of a record of its own");
+    if (may_be_of_the_same_records(input.rows))
+      output.warning =
+          "every level has as many trials, and the counts never fall: if the same records are at "
+          "every level (IDA), the intervals are too narrow. Name the record of each row in a "
+          "column record, or fit capacities";
+    return output;
+  }
   FitOutput output{fit_stripes(input.rows, Independent::records)};
-  if (input.has.weight) return output;
+  if (input.has.weight || input.has.event) return output;
   std::set<double> levels;
   for (const Stripe& row : input.rows) levels.insert(row.intensity);
   output.models = compare_shapes({.intensities = {levels.begin(), levels.end()},
@@ -64,8 +82,8 @@ FitOutput fit_capacities_of(CapacitiesInput input, const std::optional<double>& 
   for (Bracket& row : input.rows)  // not reached by the limit
     if (!input.brackets && row.low >= limit) row = {limit, infinity, row.weight, row.record};
   FitOutput output{
-      fit_brackets(input.rows, input.has.record ? Independent::records : Independent::rows)};
-  if (!input.brackets && input.has.record && !input.has.weight)
+      fit_brackets(input.rows, input.has.unit() ? Independent::records : Independent::rows)};
+  if (!input.brackets && input.has.unit() && !input.has.weight)
     output.lognormal = lognormal_goodness_of_fit(input.rows, {});
   return output;
 }
@@ -94,17 +112,40 @@ Input announced(Input input) {
   return input;
 }
 
+/// What is independent, and records that may be one.
+template <class Input>
+void add_notes(const Input& input, FitOutput& output) {
+  if (input.has.event)
+    output.notes.push_back(fmt::format(
+        "the unit of the intervals is the event, of which there are {}: records of one event "
+        "depend on each other",
+        record_count(input.rows)));
+  if (!input.same.empty())
+    output.warning += fmt::format(
+        "{}records {} have the same rows: if they are one record, it counts twice",
+        output.warning.empty() ? "" : "; ", input.same);
+}
+
 void run(const FitOptions& o) {
   check_options(o);
-  if (!o.cloud.empty()) {
-    CloudInput input = announced(read_cloud(o.cloud));
-    for (std::size_t i = 0; i < input.rows.size() && !input.has.record; ++i)
-      input.rows[i].record = i;
-    return print(fit_cloud(input.rows, o.thresholds), o.json);
-  }
-  print(o.counts.empty() ? fit_capacities_of(announced(read_capacities(o.capacities)), o.censor_at)
-                         : fit_counts(announced(read_counts(o.counts))),
-        o.json);
+  const auto fitted = [&](const auto& input, const auto& fit) {
+    FitOutput output = fit(input);
+    add_notes(input, output);
+    if (!output.warning.empty()) say("glissade: warning: {}\n", output.warning);
+    print(output, o.json);
+  };
+  if (!o.cloud.empty())
+    fitted(announced(read_cloud(o.cloud)), [&](const CloudInput& input) {
+      FitOutput output;
+      output.cloud = fit_cloud(input.rows, o.thresholds);
+      return output;
+    });
+  else if (!o.counts.empty())
+    fitted(announced(read_counts(o.counts)), fit_counts);
+  else
+    fitted(announced(read_capacities(o.capacities)), [&](const CapacitiesInput& input) {
+      return fit_capacities_of(input, o.censor_at);
+    });
 }
 
 }  // namespace
@@ -115,14 +156,16 @@ void add_fit(CLI::App& program) {
       program.add_subcommand("fit", "Fit a fragility to counts, capacities or a cloud");
   command->footer(
       "Every file may have the columns record (rows of one record are not\n"
-      "independent: intervals are over records) and weight (importance weights).");
+      "independent: intervals are over records), event (records of one event are\n"
+      "not independent: intervals are over events) and weight (importance weights).");
   command->add_option("--counts", o->counts, "CSV with the header im,num_gms,num_exceed");
   command->add_option("--capacities", o->capacities,
                       "CSV with the header im_cap; 0: slides freely, without shaking; inf: "
                       "not reached by --censor-at. Or im_low,im_high: capacities between two "
                       "levels (inf: not reached)");
   command->add_option("--cloud", o->cloud,
-                      "CSV with the header im,edp: displacements at any intensities; 0: no slip");
+                      "CSV with the header im,edp: displacements at any intensities; 0: no slip; "
+                      "inf: collapse, beyond every displacement");
   command->add_option("--threshold", o->thresholds,
                       "displacement thresholds for --cloud, in the unit of edp");
   command->add_option("--censor-at", o->censor_at,

@@ -54,6 +54,12 @@ Finding effective_records(double number) {
   return {"effective_records", "effective records", number};
 }
 
+std::string note_of(const FitOutput& output) {
+  std::string note = output.cloud ? "" : output.fit.note;
+  for (const std::string& one : output.notes) note += (note.empty() ? "" : "; ") + one;
+  return note;
+}
+
 Json json_of(const FitOutput& output) {
   const FitSummary& f = output.fit;
   Json json = to_json(findings_of(f));
@@ -61,7 +67,8 @@ Json json_of(const FitOutput& output) {
                {"interval_method", f.interval_method},
                {"status", to_string(f.status)},
                {"converged", f.converged()},
-               {"note", f.note}});
+               {"note", note_of(output)},
+               {"warning", output.warning}});
   if (!std::isnan(f.effective_records))
     json.update(to_json({effective_records(f.effective_records)}));
   if (!std::isnan(output.lognormal.p_value))
@@ -92,9 +99,12 @@ void show_models(const ShapeComparison& comparison) {
   }
 }
 
+void print_cloud(const FitOutput& output, bool json);
+
 }  // namespace
 
 void print(const FitOutput& output, bool json) {
+  if (output.cloud) return print_cloud(output, json);
   if (json) return put_json(json_of(output));
   const FitSummary& f = output.fit;
   std::vector<Finding> findings = findings_of(f);
@@ -109,10 +119,13 @@ void print(const FitOutput& output, bool json) {
         fit.largest_gap, fit.gap_intensity, departs_from_lognormal(fit) ? ": not lognormal" : "");
   if (output.models) show_models(*output.models);
   show("status", to_string(f.status));
-  show("note", f.note);
+  show("note", note_of(output));
 }
 
-void print(const CloudSummary& cloud, bool json) {
+namespace {
+
+void print_cloud(const FitOutput& output, bool json) {
+  const CloudSummary& cloud = *output.cloud;
   const TwoPartFit& f = cloud.fit;
   const std::vector<Finding> any{{"median", "median", f.any.median, cloud.any_median_interval},
                                  {"log_std", "log_std", f.any.log_std, cloud.any_log_std_interval}};
@@ -125,9 +138,15 @@ void print(const CloudSummary& cloud, bool json) {
             {"size", {{"status", size_text(f.size_status)}}},
             {"effective_records", effective.value},
             {"converged", f.has_curve()},
+            {"note", note_of(output)},
+            {"warning", output.warning},
             {"thresholds", Json::array()}};
     of["any_slip"].update(to_json(any));
     of["size"].update(to_json(size));
+    if (cloud.collapse) {
+      of["collapse"] = to_json(findings_of(*cloud.collapse));
+      of["collapse"]["status"] = to_string(cloud.collapse->status);
+    }
     for (const CloudMedian& row : cloud.medians) {
       of["thresholds"].push_back({{"threshold", row.threshold}});
       of["thresholds"].back().update(to_json({{"p50", "", row.p50, row.p50_interval}}));
@@ -139,10 +158,17 @@ void print(const CloudSummary& cloud, bool json) {
     medians.push_back(
         {"p50", fmt::format("above {:g} at", row.threshold), row.p50, row.p50_interval});
   medians.push_back(effective);
+  if (cloud.collapse)
+    put("{}\n", to_text(to_table(
+                    fmt::format("Collapse (edp inf): {}", to_string(cloud.collapse->status)),
+                    findings_of(*cloud.collapse))));
   put("{}\n{}\n{}", to_text(to_table(fmt::format("Any slip: {}", any_text(f.any_status)), any)),
       to_text(to_table(fmt::format("Size of slip: {}", size_text(f.size_status)), size)),
       to_text(to_table("Intensity at which 50 % exceed", medians)));
   show("status", f.has_curve() ? "two-part fit" : "no curve");
+  show("note", note_of(output));
 }
+
+}  // namespace
 
 }  // namespace glissade::cli

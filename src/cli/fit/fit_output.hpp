@@ -2,6 +2,8 @@
 #pragma once
 
 #include <optional>
+#include <string>
+#include <vector>
 
 #include "glissade/fragility/cloud.hpp"
 #include "glissade/fragility/goodness_of_fit.hpp"
@@ -12,12 +14,14 @@
 namespace glissade::cli {
 
 struct FitOutput {
-  FitSummary fit;
+  FitSummary fit = {};
   GoodnessOfFit lognormal = {};                          ///< of capacities by record
   std::optional<ShapeComparison> models = std::nullopt;  ///< of counts by record
+  std::optional<CloudSummary> cloud = std::nullopt;      ///< in place of `fit`
+  std::vector<std::string> notes = {};                   ///< beside that of the fit
+  std::string warning = {};
 };
 
 void print(const FitOutput& output, bool json);
-void print(const CloudSummary& cloud, bool json);
 
 }  // namespace glissade::cli

@@ -63,6 +63,7 @@ class NumberFile {
       return true;
     };
     row_.has_record = take("record");
+    row_.has_event = take("event");
     row_.has_weight = take("weight");
     const auto found = std::ranges::find_if(known_, [&](const NumberRows& rows) {
       return std::ranges::is_permutation(rows.header, wanted);
@@ -73,7 +74,8 @@ class NumberFile {
       throw InputError(
           {where,
            in_quotes(trimmed(line)) + " is not the header " + headers +
-               (beside_ == BesideNumbers::record_and_weight ? " (record and weight may be added)"
+               (beside_ == BesideNumbers::record_and_weight ? " (record, event and weight may be "
+                                                              "added)"
                                                             : ""),
            "make the first line " + headers, ""});
     }
@@ -86,8 +88,15 @@ class NumberFile {
   RowTrouble take_row(const Cells& cells, std::size_t line) {
     row_.line = line;
     for (std::size_t i = 0; i < cells.size(); ++i) {
-      if (names_[i] == "record" && row_.has_record) {
-        row_.record = records_.emplace(cells[i], records_.size()).first->second;
+      const bool is_record = names_[i] == "record" && row_.has_record,
+                 is_event = names_[i] == "event" && row_.has_event;
+      if (is_record || is_event) {
+        if (cells[i].empty())
+          return {names_[i] + " is not named here, but in other rows",
+                  "name it in every row, or leave the column out", names_[i]};
+        Numbers& numbers = is_record ? records_ : events_;
+        (is_record ? row_.record : row_.event) =
+            numbers.emplace(cells[i], numbers.size()).first->second;
         continue;
       }
       const bool may_be_infinite = names_[i] == rows_->may_be_infinite;
@@ -104,7 +113,16 @@ class NumberFile {
         row_.values[static_cast<std::size_t>(at)] = *value;
       }
     }
+    if (row_.has_record && row_.has_event &&
+        event_of_.emplace(row_.record, row_.event).first->second != row_.event)
+      return {"the record is of another event in a row above", "give each record one event",
+              "event"};
     return rows_->take_row(row_);
+  }
+  std::vector<std::string> names() const {
+    std::vector<std::string> all(records_.size());
+    for (const auto& [name, number] : records_) all[number] = name;
+    return all;
   }
   bool has_no_weight() const { return row_.has_weight && !any_weight_; }
 
@@ -113,7 +131,9 @@ class NumberFile {
   BesideNumbers beside_;
   const NumberRows* rows_ = nullptr;
   std::vector<std::string> names_;
-  std::map<std::string, std::size_t, std::less<>> records_;
+  using Numbers = std::map<std::string, std::size_t, std::less<>>;
+  Numbers records_, events_;
+  std::map<std::size_t, std::size_t> event_of_;  // by record
   NumberRow row_;
   bool any_weight_ = false;
 };
@@ -179,8 +199,9 @@ void read_csv(const TextFile& file, const CsvReader& csv) {
                       "begin with " + csv.begin_with, ""});
 }
 
-void read_number_rows(const TextFile& file, const std::vector<NumberRows>& known,
-                      BesideNumbers beside) {
+std::vector<std::string> read_number_rows(const TextFile& file,
+                                          const std::vector<NumberRows>& known,
+                                          BesideNumbers beside) {
   NumberFile numbers(known, beside);
   read_csv(file, {.split = fields,
                   .begin_with = headers_of(known) + " and give a row for each value",
@@ -189,6 +210,7 @@ void read_number_rows(const TextFile& file, const std::vector<NumberRows>& known
                   .take_row = [&](const auto&... of_row) { return numbers.take_row(of_row...); }});
   if (numbers.has_no_weight())
     throw InputError({file.path.string(), "every weight is 0", "give at least one above 0", ""});
+  return numbers.names();
 }
 
 }  // namespace glissade

@@ -38,13 +38,16 @@ struct CsvReader {
 /// with # are comments; empty columns at the end and rows of commas are left out.
 void read_csv(const TextFile& file, const CsvReader& reader);
 
-/// Columns of numbers beside which a file may have `record`, any text, and `weight`, 0 or more.
+/// Columns of numbers beside which a file may have `record` and `event`, any text, and `weight`, 0
+/// or more.
 struct NumberRow {
   std::vector<double> values;  ///< by NumberRows::header
   std::size_t line = 0;
-  bool has_record = false, has_weight = false;
+  bool has_record = false, has_event = false, has_weight = false;
   double weight = 1.0;
-  std::size_t record = 0;  ///< rows with the same text have the same number
+  std::size_t record = 0, event = 0;  ///< rows with the same text have the same number
+  /// What is independent: the event where it is named, else the record.
+  std::size_t unit() const { return has_event ? event : record; }
 };
 
 /// A header that a CSV file of numbers may have, in any order, and what takes its rows.
@@ -55,9 +58,10 @@ struct NumberRows {
   bool may_be_empty = false;              ///< in it nothing stands for inf
 };
 
-/// Reads the finite numbers below one of the headers.
+/// Reads the finite numbers below one of the headers. The names of the records, by number.
 enum class BesideNumbers { nothing, record_and_weight };
-void read_number_rows(const TextFile& file, const std::vector<NumberRows>& known,
-                      BesideNumbers beside = BesideNumbers::nothing);
+std::vector<std::string> read_number_rows(const TextFile& file,
+                                          const std::vector<NumberRows>& known,
+                                          BesideNumbers beside = BesideNumbers::nothing);
 
 }  // namespace glissade

@@ -88,6 +88,38 @@ TEST(fit_file, has_records_and_weights_in_any_column) {
   EXPECT_EQ(counts.rows[2].weight, 0.0);
 }
 
+// Both records of an earthquake are one unit, and each has its own rows.
+TEST(fit_file, takes_the_event_of_records_as_what_is_independent) {
+  const TemporaryFolder folder;
+  const std::string head = "im,num_gms,num_exceed,record,event\n";
+  const CountsInput counts = read_counts(
+      folder.write("c.csv", head + "0.4,8,1,a,E1\n0.4,8,3,b,E1\n0.4,8,2,c,E2\n"));
+  EXPECT_TRUE(counts.has.event && counts.has.unit());
+  EXPECT_EQ(counts.rows[0].record, counts.rows[1].record);
+  EXPECT_NE(counts.rows[0].record, counts.rows[2].record);
+  for (const auto& [rows, what] :
+       {std::pair{"0.4,8,1,a,E1\n0.4,8,3,b,\n", "event is not named here"},
+        {"0.4,8,1,a,E1\n0.6,8,3,a,E2\n", "another event"}}) {
+    try {
+      read_counts(folder.write("d.csv", head + rows));
+      ADD_FAILURE();
+    } catch (const InputError& error) {
+      EXPECT_THAT(error.what(), testing::HasSubstr(what));
+    }
+  }
+}
+
+TEST(fit_file, names_two_records_with_the_same_rows) {
+  const TemporaryFolder folder;
+  const auto same = [&](const std::string& rows) {
+    return read_capacities(folder.write("c.csv", "record,im_cap\n" + rows)).same;
+  };
+  EXPECT_EQ(same("a,0.512345\nb,0.6\nc,0.512345\n"), "a and c");
+  EXPECT_EQ(same("a,0.51\nb,0.6\nc,0.51\n"), "");  // may be chance
+  EXPECT_EQ(same("a,0.512\na,0.634\nb,0.634\nb,0.512\n"), "a and b");
+  EXPECT_EQ(same("a,inf\nb,inf\n"), "");
+}
+
 TEST(fit_file, reports_weights_that_are_none_and_counts_given_twice) {
   const std::string head = "im,num_gms,num_exceed,record";
   EXPECT_THAT(faults_of([&] { counts(head + ",weight\n0.2,4,0,a,-1\n0.2,4,5,a,1\n"); }),
