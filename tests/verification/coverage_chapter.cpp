@@ -242,6 +242,7 @@ Chapter interval_coverage() {
   for (const std::size_t records : {7, 20, 44}) add_lognormal(cases, records);
   for (const std::size_t records : {20, 44}) add_cloud(cases, records);
   add_coverage_of_fits(cases);
+  add_coverage_of_means(cases);
   for (const std::size_t records : {20, 44}) {
     add_skewed(cases, Records::few_weak, "few weak", records);
     add_skewed(cases, Records::few_strong, "few strong", records);
@@ -259,14 +260,18 @@ the true probability is 2, 10, 50 and 90 %. If the coverage is exactly 95 %, 2,0
   their share (theory, 6.3) assumes no curve, and contains a Clopper-Pearson interval: up to 99 % is permitted.
 - *Cloud*: `glissade fit --cloud` (theory, 6.9), 1,000 sets of one motion a record, some without slip.
 - *`glissade fit`*: capacities with a log standard deviation of 0.4, 1,000 sets each: one or several rows a
-  record, correlated rows, censored capacities, counts, importance weights. *Wide*: few records show
-  anything, and the intervals may cover more than 97 %.
+  record (or records an event), correlated rows, censored capacities, counts, importance weights.
+  *Wide*: few records show anything, and the intervals may cover more than 97 %.
+- *Percentiles*: the share above inverted (theory, 6.3). *Means, rates* (theory, 6.5): lognormal over
+  records; *three in ten*: the others have the rate of the highest level. Percentiles of resamples
+  covered 0.75 to 0.92 of the 84th percentile with 7 records, 0.70 to 0.90 of such means and rates.
 - *Few weak*, *few strong*: the ln capacities of the records are exponential, not normal, with the same mean
   and dispersion. The intervals of the fitted lognormal cover less than they state, and less still with more
   records. Where `run` warns that a fragility is not lognormal, use the share.
 
 Sets without an interval (a bound, separated counts) are not counted. The table has the lowest and the
-highest coverage of the quantities of a row, in %.)",
+highest coverage of the quantities of a row, in %; cases.csv has each form. The standard error of 1,000
+sets is 0.7 %; `GLISSADE_COVERAGE_SETS=20000 verify FOLDER` has 0.15 %, in an hour. Seeds are fixed.)",
       cases.cases(),
       "",
       cases.table()};

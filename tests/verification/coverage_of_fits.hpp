@@ -35,5 +35,7 @@ class CoverageCases {
 
 /// Rows of chapter 5.2: how often the intervals of `glissade fit` cover, by the form of the data.
 void add_coverage_of_fits(CoverageCases& cases);
+/// The same of percentiles and means of displacement, and of annual rates.
+void add_coverage_of_means(CoverageCases& cases);
 
 }  // namespace glissade::verification
