@@ -271,7 +271,7 @@ the true probability is 2, 10, 50 and 90 %. If the coverage is exactly 95 %, 2,0
 
 Sets without an interval (a bound, separated counts) are not counted. The table has the lowest and the
 highest coverage of the quantities of a row, in %; cases.csv has each form. The standard error of 1,000
-sets is 0.7 %; `GLISSADE_COVERAGE_SETS=20000 verify FOLDER` has 0.15 %, in an hour. Seeds are fixed.)",
+sets is 0.7 %; with `GLISSADE_COVERAGE_SETS=20000 verify FOLDER` it is 0.15 %. Seeds are fixed.)",
       cases.cases(),
       "",
       cases.table()};

@@ -42,7 +42,7 @@ Interval positive_mean_interval(const std::vector<double>& values, double level)
   const double error = std::sqrt(squares / (n - 1) / n), fixed = least / mean,
                reach = t(std::max(2.0, effective_number(excess) - 1)) * error;
   double low = -reach, high = std::log(fixed + (1.0 - fixed) * std::exp(reach / (1.0 - fixed)));
-  if (fixed > 1e-3) {
+  if (fixed > 1e-3 && n > 4) {
     const Interval cox = cox_interval(scaled, t(n - 1));
     low = std::min(low, std::max(cox.low, 2.0 * low));
     high = std::max(high, std::min(cox.high, 2.0 * high));

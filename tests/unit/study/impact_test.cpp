@@ -152,12 +152,11 @@ TEST(impact, all_getting_there_leaves_the_share_without_interval_but_not_the_spe
   EXPECT_LT(s.speed_median_mps.interval.low, s.speed_median_mps.interval.high);
 }
 
-// The median of 4 speeds of one record and of 1 each of seven others: no record counts by its number
-// alone. The share of the pooled histories above a speed has 0.5 within its interval at the ends.
+// The median of 4 speeds of one record and of 1 each of eleven others. The share of the pooled histories above a speed has 0.5 within its interval at the ends.
 TEST(impact, intervals_of_speed_are_over_records_with_all_they_bring) {
-  Study study(8, 4);
-  std::vector<std::vector<double>> speeds(8);
-  for (std::size_t record = 0; record < 8; ++record)
+  Study study(12, 4);
+  std::vector<std::vector<double>> speeds(12);
+  for (std::size_t record = 0; record < 12; ++record)
     for (std::size_t sample = 0; sample < (record == 0 ? 4u : 1u); ++sample) {
       speeds[record].push_back(0.1 * static_cast<double>(record + 1) +
                                0.01 * static_cast<double>(sample));

@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "glissade/fragility/share.hpp"
 #include "unit/study/by_rule.hpp"
 
 namespace glissade {
@@ -67,13 +68,16 @@ TEST(suite_mean, the_range_is_over_orientations_with_the_median_between_the_midd
   EXPECT_DOUBLE_EQ(largest.highest, 4.0);
 }
 
-TEST(suite_mean, the_interval_is_from_resampling_records) {
+// Record a has 1, 3, 5, 7 in the orientations, b has 1: the rule takes of the ends of the means'
+// intervals what it takes of the means.
+TEST(suite_mean, the_interval_is_over_records) {
   const OrientationRange range = over_orientations(by_hand(), {}, at_period(0), Periods::one);
-  // A resample is a twice, b twice, or both: medians 4, 1 or 2.5.
-  EXPECT_DOUBLE_EQ(range.interval.low, 1.0);
-  EXPECT_DOUBLE_EQ(range.interval.high, 4.0);
-  EXPECT_DOUBLE_EQ(range.highest_interval.low, 1.0);  // b twice: 1 in every orientation
-  EXPECT_DOUBLE_EQ(range.highest_interval.high, 7.0);
+  const Interval of_3 = positive_mean_interval({3, 1}), of_5 = positive_mean_interval({5, 1}),
+                 of_7 = positive_mean_interval({7, 1});
+  EXPECT_DOUBLE_EQ(range.interval.low, 0.5 * (of_3.low + of_5.low));
+  EXPECT_DOUBLE_EQ(range.interval.high, 0.5 * (of_3.high + of_5.high));
+  EXPECT_DOUBLE_EQ(range.highest_interval.low, 1.0);  // of the orientation with 1 and 1
+  EXPECT_DOUBLE_EQ(range.highest_interval.high, of_7.high);
   const OrientationRange alone = over_orientations(by_hand(), {.suite = 1}, {}, Periods::one);
   EXPECT_TRUE(std::isnan(alone.interval.low));
 }

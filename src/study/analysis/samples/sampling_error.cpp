@@ -96,7 +96,7 @@ std::vector<std::string> SamplingErrorAnalysis::warnings(const Results& results,
                                                          const StudyConfig& study) {
   constexpr std::size_t few = 8;
   constexpr double small = 0.5;  // beside the error of the records: adds 12 % to an interval
-  if (study.draws() && !results.runs.empty() && results.cases.samples < few)
+  if (study.fragility && study.draws() && results.cases.samples < few)
     return {fmt::format(
         "{} sample(s) of the quantities that are drawn: the intervals are over records, and the "
         "error of so few samples, which is not known, is not in them. Give sampling.samples = 64 "
