@@ -33,11 +33,6 @@ double effective_number(const std::vector<double>& parts);
 /// records or more of which none is below a thousandth of the mean (theory.md, 6.5). NaN for fewer than two records, and where a value is infinite.
 Interval positive_mean_interval(const std::vector<double>& values, double level = 0.95);
 
-/// Of the largest of some quantities: the largest of their ends. What is above it is no more than
-/// what is above the interval of the true largest, whichever of them was selected. NaN where one
-/// has none.
-Interval interval_of_largest(const std::vector<Interval>& intervals);
-
 /// Widens intervals of shares, so that those of larger shares do not end lower.
 void order_intervals(const std::vector<double>& shares, std::vector<Interval>& intervals);
 

@@ -75,15 +75,6 @@ Interval share_interval(const std::vector<double>& shares, const std::vector<dou
           1.0 - lower_end(trials, (1.0 - of.mean) * trials, tail)};
 }
 
-Interval interval_of_largest(const std::vector<Interval>& intervals) {
-  Interval largest{0.0, 0.0};
-  for (const Interval& interval : intervals) {
-    if (std::isnan(interval.low)) return {};
-    largest = {std::max(largest.low, interval.low), std::max(largest.high, interval.high)};
-  }
-  return largest;
-}
-
 void order_intervals(const std::vector<double>& shares, std::vector<Interval>& intervals) {
   GLISSADE_EXPECTS(shares.size() == intervals.size());
   std::vector<std::size_t> order;  // a share without an interval keeps none

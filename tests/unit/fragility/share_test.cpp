@@ -50,13 +50,6 @@ TEST(records_that_bound, are_as_many_as_the_interval_of_none_takes) {
   }
 }
 
-TEST(interval_of_largest, has_the_largest_of_both_ends) {
-  const Interval all = interval_of_largest({{0.1, 0.9}, {0.3, 0.5}, {0.2, 0.4}});
-  EXPECT_EQ(all.low, 0.3);
-  EXPECT_EQ(all.high, 0.9);
-  EXPECT_TRUE(std::isnan(interval_of_largest({{0.1, 0.9}, {}}).high));
-}
-
 TEST(share_interval, of_the_histories_that_do_not_exceed_is_its_mirror_image) {
   const Interval some = share_interval({0.0, 0.02, 0.3, 0.0, 0.1, 0.0, 0.8}),
                  others = share_interval({1.0, 0.98, 0.7, 1.0, 0.9, 1.0, 0.2});

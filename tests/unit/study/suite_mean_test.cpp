@@ -76,7 +76,7 @@ TEST(suite_mean, the_interval_is_over_records) {
                  of_7 = positive_mean_interval({7, 1});
   EXPECT_DOUBLE_EQ(range.interval.low, 0.5 * (of_3.low + of_5.low));
   EXPECT_DOUBLE_EQ(range.interval.high, 0.5 * (of_3.high + of_5.high));
-  EXPECT_DOUBLE_EQ(range.highest_interval.low, 1.0);  // of the orientation with 1 and 1
+  EXPECT_DOUBLE_EQ(range.highest_interval.low, of_7.low);
   EXPECT_DOUBLE_EQ(range.highest_interval.high, of_7.high);
   const OrientationRange alone = over_orientations(by_hand(), {.suite = 1}, {}, Periods::one);
   EXPECT_TRUE(std::isnan(alone.interval.low));

@@ -105,7 +105,8 @@ ChartPoint make_point(const Chart& chart, const Results& results, const PointCas
                    [&](const ChartSlip& s) { return s.mean_m == point.largest.mean_m; });
   point.governing_period_s =
       chart.period_s[static_cast<std::size_t>(governing - point.by_period.begin())];
-  point.mean_interval = interval_of_largest(mean_intervals);
+  point.mean_interval =
+      mean_intervals[static_cast<std::size_t>(governing - point.by_period.begin())];
   point.clearance_m = factor * point.largest.mean_m;
   return point;
 }

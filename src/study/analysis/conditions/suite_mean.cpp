@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <numeric>
 
 #include "glissade/core/contract.hpp"
 #include "glissade/core/finite.hpp"
@@ -68,18 +69,19 @@ class Values {
     return largest_mean(
         [&](std::size_t p, std::size_t r) { return values_(p, orientation_of(r), r); });
   }
-  /// All records in one orientation, and the interval of the largest.
+  /// All records in one orientation, and the interval in the period of the largest mean.
   double orientation_mean(std::size_t orientation) const {
     return mean_as([&](std::size_t) { return orientation; });
   }
   Interval orientation_interval(std::size_t orientation) const {
-    std::vector<Interval> by_period;
+    const double largest = orientation_mean(orientation);
+    std::vector<double> values(values_.depth);
     for (std::size_t p = 0; p < values_.rows; ++p) {
-      std::vector<double> values;
-      for (std::size_t r = 0; r < values_.depth; ++r) values.push_back(values_(p, orientation, r));
-      by_period.push_back(positive_mean_interval(values));
+      for (std::size_t r = 0; r < values_.depth; ++r) values[r] = values_(p, orientation, r);
+      const double sum = std::accumulate(values.begin(), values.end(), 0.0);
+      if (sum / static_cast<double>(values_.depth) == largest) break;
     }
-    return interval_of_largest(by_period);
+    return positive_mean_interval(values);
   }
   /// Of all records and orientations.
   double largest() const { return *std::max_element(values_.data.begin(), values_.data.end()); }
@@ -168,12 +170,12 @@ OrientationRange over_orientations(const Results& results, const MeanQuestion& q
     lows.push_back(interval.low);
     highs.push_back(interval.high);
   }
-  const auto interval = [&](OrientationRule rule) {
-    return std::isnan(lows.front()) ? Interval{}
-                                    : Interval{mean_by(rule, lows), mean_by(rule, highs)};
-  };
-  return {*low, mean_by(OrientationRule::median, means), *high, interval(OrientationRule::median),
-          interval(OrientationRule::largest)};
+  const auto at_high = static_cast<std::size_t>(high - means.begin());
+  const Interval median = std::isnan(lows.front())
+                              ? Interval{}
+                              : Interval{quantile_of(lows, 0.5), quantile_of(highs, 0.5)};
+  return {*low, mean_by(OrientationRule::median, means), *high, median,
+          {lows[at_high], highs[at_high]}};
 }
 
 std::size_t governing_period(const Results& results, const MeanQuestion& question,
