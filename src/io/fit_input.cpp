@@ -61,7 +61,7 @@ class RecordNumbers {
   using Rows = std::vector<std::vector<double>>;
   std::map<std::size_t, std::pair<Rows, std::size_t>> of_;
 };
-constexpr std::size_t enough_digits = 6, enough_levels = 3;
+constexpr std::size_t enough_digits = 6, enough_levels = 6;
 
 }  // namespace
 

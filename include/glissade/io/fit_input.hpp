@@ -21,7 +21,7 @@ struct FitColumns {
 };
 
 /// "a and b": the first two records with the same rows, which have digits enough for no coincidence
-/// (counts: three levels that some of ten or more exceed); "" of none. One may be the other under
+/// (counts: six levels that some of ten or more exceed); "" of none. One may be the other under
 /// another name.
 using SameRecords = std::string;
 

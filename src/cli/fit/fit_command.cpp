@@ -131,7 +131,7 @@ void run(const FitOptions& o) {
   const auto fitted = [&](const auto& input, const auto& fit) {
     FitOutput output = fit(input);
     add_notes(input, output);
-    if (!output.warning.empty()) say("WARNING: {}\n", output.warning);
+    if (!output.warning.empty() && !o.json) say("WARNING: {}\n", output.warning);
     print(output, o.json);
   };
   if (!o.cloud.empty())
