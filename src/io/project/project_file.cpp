@@ -228,7 +228,7 @@ void read_model(const TomlTable& table, ProjectBuilding& building) {
           : structural_systems[name == "concentrically_braced_frame" ? 2 : 3];
   building.alpha = {found.least_alpha, found.most_alpha};
   std::ranges::replace(name, '_', ' ');
-  building.model_basis = fmt::format("usual for {} (Miranda & Taghavi 2005, recalled)",
+  building.model_basis = fmt::format("usual for {} (Miranda & Taghavi 2005)",
                                      !table.has("system") ? "a system that is not stated"
                                      : name == "other"    ? "all other structural systems"
                                                           : name);
