@@ -57,9 +57,10 @@ TEST(plan, refuses_a_clearance_of_a_suite_that_does_not_meet_its_target) {
   config.clearance->without_target = true;
   EXPECT_EQ(refusal(), "");
   const auto of_scale = states("scale");  // of each record, above
-  EXPECT_THAT(make_plan(config, {suite}).warnings,
-              testing::UnorderedElementsAre(states("NOT FOR DESIGN"), states("one axis"), of_scale,
-                                            of_scale));
+  EXPECT_THAT(
+      make_plan(config, {suite}).warnings,
+      testing::UnorderedElementsAre(states("NOT FOR DESIGN"), states("one axis"), of_scale,
+                                    of_scale, states("one mass"), states("scaled by more than 5")));
   config.clearance->without_target = false;
   suite.target.reset();
   EXPECT_NE(refusal(), "");

@@ -452,26 +452,31 @@ TEST(plan, refuses_parts_of_an_MCE_that_the_suite_has_not_and_names_the_factor) 
   EXPECT_THAT(to_string(plan), states("orientation drawn for each sample"));
 }
 
+/// But those of the small study itself: of one mass, and of motions that are scaled to 4 g.
+std::ptrdiff_t other_warnings(const Plan& plan) {
+  return std::ranges::count_if(plan.warnings, [](const std::string& text) {
+    return !text.starts_with("scaled by more than") && text.find("one mass") == std::string::npos;
+  });
+}
+
 TEST(plan, warns_of_what_is_possible_and_not_probable) {
   const auto warnings = [](const std::function<void(StudyConfig&)>& change) {
     StudyConfig config = small_config();
     config.model.axes = SlidingAxes::two;
     config.quantities.at("roof", "slope_deg") = fixed(1.19);
-    config.building.is_one_storey = true;
     change(config);
-    return small_plan(config).warnings.size();
+    return other_warnings(small_plan(config));
   };
-  EXPECT_EQ(warnings([](StudyConfig&) {}), 0u);
-  EXPECT_EQ(warnings([](StudyConfig& c) { c.model.axes = SlidingAxes::one; }), 1u);
-  EXPECT_EQ(warnings([](StudyConfig& c) { c.intensity.levels.push_back(50.0); }), 1u);
+  EXPECT_EQ(warnings([](StudyConfig&) {}), 0);
+  EXPECT_EQ(warnings([](StudyConfig& c) { c.model.axes = SlidingAxes::one; }), 1);
+  EXPECT_EQ(warnings([](StudyConfig& c) { c.intensity.levels.push_back(50.0); }), 1);
   // and that the suite is made for another target
-  EXPECT_EQ(warnings([](StudyConfig& c) { c.intensity.target = {.ss_g = 1.0, .s1_g = 1.5}; }), 2u);
-  EXPECT_EQ(warnings([](StudyConfig& c) { c.intensity.target = {.ss_g = 150.0, .s1_g = 0.6}; }),
-            2u);
-  EXPECT_EQ(warnings([](StudyConfig& c) { c.quantities.at("friction", "mu") = fixed(1.5); }), 1u);
+  EXPECT_EQ(warnings([](StudyConfig& c) { c.intensity.target = {.ss_g = 1.0, .s1_g = 1.5}; }), 2);
+  EXPECT_EQ(warnings([](StudyConfig& c) { c.intensity.target = {.ss_g = 150.0, .s1_g = 0.6}; }), 2);
+  EXPECT_EQ(warnings([](StudyConfig& c) { c.quantities.at("friction", "mu") = fixed(1.5); }), 1);
   EXPECT_EQ(
-      warnings([](StudyConfig& c) { c.quantities.at("building", "period_s") = fixed(300.0); }), 1u);
-  EXPECT_EQ(warnings([](StudyConfig& c) { c.fragility->thresholds_m.push_back(50.0); }), 1u);
+      warnings([](StudyConfig& c) { c.quantities.at("building", "period_s") = fixed(300.0); }), 1);
+  EXPECT_EQ(warnings([](StudyConfig& c) { c.fragility->thresholds_m.push_back(50.0); }), 1);
   // Rates of 50 years, and levels beyond the curve's points.
   const auto with_curve = [](double rate, double part = 1.0) {
     return [=](StudyConfig& c) {
@@ -482,10 +487,10 @@ TEST(plan, warns_of_what_is_possible_and_not_probable) {
                               {1e-3}};
     };
   };
-  EXPECT_EQ(warnings(with_curve(0.014)), 0u);
-  EXPECT_EQ(warnings(with_curve(0.02)), 1u);  // a probability in 50 years
-  EXPECT_EQ(warnings(with_curve(1e-6)), 1u);
-  EXPECT_EQ(warnings(with_curve(0.014, 0.99)), 1u);
+  EXPECT_EQ(warnings(with_curve(0.014)), 0);
+  EXPECT_EQ(warnings(with_curve(0.02)), 1);  // a probability in 50 years
+  EXPECT_EQ(warnings(with_curve(1e-6)), 1);
+  EXPECT_EQ(warnings(with_curve(0.014, 0.99)), 1);
   StudyConfig us = small_config();
   us.units = UnitSystem::us_customary;
   us.fragility->thresholds_m = {0.1524, 12.7};
@@ -495,23 +500,22 @@ TEST(plan, warns_of_what_is_possible_and_not_probable) {
               c.quantities.at("friction", "mu") = drawn(TruncatedNormal{0.3, 0.2, 0.0, INFINITY});
               c.model.axes = SlidingAxes::one;
             }),
-            3u);  // and one axis, and some of what is drawn is below the slope
+            3);  // and one axis, and some of what is drawn is below the slope
   EXPECT_EQ(warnings([](StudyConfig& c) { c.quantities.at("roof", "slope_deg") = fixed(30.0); }),
-            1u);
+            1);
   EXPECT_EQ(warnings([](StudyConfig& c) { c.quantities.at("roof", "slope_deg") = fixed(0.25); }),
-            1u);
+            1);
   EXPECT_EQ(
-      warnings([](StudyConfig& c) { c.quantities.at("building", "mass_ratio") = fixed(1e-5); }),
-      1u);
+      warnings([](StudyConfig& c) { c.quantities.at("building", "mass_ratio") = fixed(1e-5); }), 1);
   EXPECT_EQ(warnings([](StudyConfig& c) {
               c.unmarked_numbers = {"fragility.thresholds_m = 1 (3.28 ft)"};
             }),
-            1u);
+            1);
   Suite twins = small_suite();
   for (Motion& motion : twins.motions) motion.horizontal_mps2[1] = motion.horizontal_mps2[0];
-  EXPECT_EQ(make_plan(small_config(), {twins}).warnings.size(), twins.motions.size() + 1);
+  EXPECT_EQ(other_warnings(make_plan(small_config(), {twins})), std::ssize(twins.motions) + 1);
   for (Motion& motion : twins.motions) motion.dt_s = 0.5;  // five are named, the others counted
-  EXPECT_EQ(make_plan(small_config(), {twins}).warnings.size(), 5u + 1u + 1u);
+  EXPECT_EQ(other_warnings(make_plan(small_config(), {twins})), 5 + 1 + 1);
 }
 
 TEST(plan, warns_of_each_parameter_beyond_what_is_probable) {
