@@ -134,7 +134,7 @@ TEST_F(RecordInput, that_is_large_and_no_record_is_refused_in_little_memory) {
     while (text.size() < file_bytes) text += large.repeated;
     const std::string file = folder_.write(large.name, text);
     expect_refused(
-        run_shell("ulimit -v 250000; \"$0\" suite import '" + file + "' --units g --dt-s 0.01"),
+        run_shell("ulimit -v 350000; \"$0\" suite import '" + file + "' --units g --dt-s 0.01"),
         {large.name, large.reason});
     std::filesystem::remove(file);
   }
