@@ -52,6 +52,10 @@ struct FoundComponent {
     return (member.empty() ? file : std::filesystem::path(member)).filename().string();
   }
   std::string shown() const { return file_name() + address; }
+  /// Nothing states its direction, and that of the name was taken.
+  bool has_direction_of_name() const {
+    return !suggested_direction.empty() && suggested_direction == header.direction;
+  }
   /// A channel that states a location other than the free field.
   bool is_of_structure() const;
   /// What a suite names.

@@ -101,7 +101,7 @@ Json to_json(const SuiteImport& found) {
       record[keys[i]] = {{"file", c.file.string() + c.whole_address()},
                          {"format", c.format},
                          {"direction", c.header.direction},
-                         {"direction_is_of_name", !c.suggested_direction.empty()},
+                         {"direction_is_of_name", c.has_direction_of_name()},
                          {"location", text_or_null(c.header.location)},
                          {"channel", text_or_null(c.header.channel)},
                          {"dt_s", c.dt_s},

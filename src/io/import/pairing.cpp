@@ -269,7 +269,7 @@ void warn_of_names_and_locations(ImportedRecord& record, const Pieces& pieces) {
   std::string suggested;
   std::set<std::string> locations;
   for (const ComponentPiece& piece : pieces) {
-    if (!piece.found->suggested_direction.empty())
+    if (piece.found->has_direction_of_name())
       suggested += (suggested.empty() ? "" : ", ") + piece.found->suggested_direction;
     locations.insert(piece.found->header.location);
   }

@@ -191,9 +191,8 @@ TEST(record_formats, members_that_lead_elsewhere_and_damaged_or_endless_archives
   };
   for (const char* member : {"../out.csv", "/abs.csv", "link"})
     EXPECT_THAT(message(member), HasSubstr("holds no file")) << member;
-  expect_made_up({"etabs.csv", "Accel"},
-                 read_sample({"improper.zip", "inner.zip/etabs.csv#Accel"}));
-  expect_made_up({"etabs.csv", "Accel"}, read_sample({"improper.zip", "good.csv#Accel"}));
+  for (const char* member : {"good.csv#Accel", "inner.zip/etabs.csv#Accel"})
+    expect_made_up({"etabs.csv", "Accel"}, read_sample({"improper.zip", member}));
   const TemporaryFolder folder;
   for (const char* name : {"packed.zip", "packed.tar.gz"}) {
     const std::string whole = read_text_file(corpus / name);
