@@ -118,8 +118,7 @@ Table provisions_table(const CalculationPackage& package) {
       rows.add(text_of(project.scaling_rule).clause, text_of(project.scaling_rule).spectrum,
                Section::motions);
     if (!project.building.alpha.empty())
-      rows.add("Miranda & Taghavi 2005", "\u03b1_0 of the structural system",
-               Section::building);
+      rows.add("Miranda & Taghavi 2005", "\u03b1_0 of the structural system", Section::building);
   }
   rows.add("Walters et al. 2012", "1.1 times the mean displacement of the suite", Section::result,
            "[4]");

@@ -38,11 +38,13 @@ std::string comparison(const Results& r) {
       low = std::min(low, ratio);
       high = std::max(high, ratio);
     }
-    parts.push_back(fmt::format(
-        "{} to {} of that {}, below it at {} of {} periods", format_number(low),
-        format_number(high),
-        other == ArraySupport::anchored ? "with the array anchored" : "without an array", below,
-        grid.size(ConditionAxis::period)));
+    const char* other_text =
+        other == ArraySupport::anchored ? "with the array anchored" : "without an array";
+    parts.push_back(grid.has_several(ConditionAxis::period)
+                        ? fmt::format("{} to {} of that {}, below it at {} of {} periods",
+                                      format_number(low), format_number(high), other_text, below,
+                                      grid.size(ConditionAxis::period))
+                        : format_number(low) + " times that " + other_text);
   }
   const std::string level =
       grid.has_several(ConditionAxis::level)
