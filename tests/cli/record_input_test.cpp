@@ -124,12 +124,11 @@ TEST_F(RecordInput, that_is_large_and_no_record_is_refused_in_little_memory) {
     std::string begin, repeated, reason;
   };
   for (const Large& large :
-       {Large{"commas.csv", "", ",", "not a number"},
-        Large{"comments.txt", "", "#\n", "no samples"},
-        Large{"touching.txt", "# units: g\n", "1.5", "not a number"},
-        Large{"latin1.txt", "", "\xe9", "no text"}, Large{"utf16.txt", "\xff\xfe", "B0", "no text"},
-        Large{"elements.xml", "<FDSNStationXML>", "<Channel/>", "2 million"},
-        Large{"attributes.xml", "<FDSNStationXML", " a=\"\"", "2 million"}}) {
+       {Large{"commas.csv", "", ",", "number"}, Large{"comments.txt", "", "#\n", "lines"},
+        Large{"touching.txt", "# units: g\n", "1.5", "number"},
+        Large{"latin1.txt", "", "\xe9", "UTF-8"}, Large{"utf16.txt", "\xff\xfe", "B0", "UTF-8"},
+        Large{"elements.xml", "<FDSNStationXML>", "<Channel/>", "million"},
+        Large{"attributes.xml", "<FDSNStationXML", " a=\"\"", "million"}}) {
     std::string text = large.begin;
     while (text.size() < file_bytes) text += large.repeated;
     const std::string file = folder_.write(large.name, text);
