@@ -214,7 +214,7 @@ TEST_F(Mpi, more_ranks_than_units_of_work_give_the_same_bytes) {
                     "[friction]\nmu = { mean = 0.3, std = 0.03 }\n[sampling]\nsamples = "
                     "2\n[fragility]\nthresholds_m = [0.05]\n");
   ASSERT_THAT(run_program({"run", study, "--dry-run"}).out,
-              testing::HasSubstr("in 1 units"));  // fewer than ranks
+              testing::HasSubstr("in 1 unit"));  // fewer than ranks
   const std::string alone = results_on(0, study);
   ASSERT_FALSE(alone.empty());
   for (const int ranks : {2, 7})
