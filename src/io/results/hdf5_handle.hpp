@@ -2,10 +2,15 @@
 #pragma once
 
 #include <hdf5.h>
+#include <signal.h>
+#include <unistd.h>
 
 #include <cstdint>
+#include <cstdlib>
+#include <new>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <type_traits>
 #include <utility>
 
@@ -53,20 +58,55 @@ inline Hdf5Handle timeless(hid_t property_class) {
   return properties;
 }
 
-/// Keeps HDF5 from printing its own error stack while it lives, and from crashing at the end of the
-/// process when it could not close a file.
+/// Keeps HDF5 from printing its own error stack while it lives. Where memory ends in libhdf5 it can
+/// crash in its first calls, and end the process (exit) in any: both are reported, status 2.
 class Hdf5Silence {
  public:
   Hdf5Silence() {
-    H5dont_atexit();
+    ++alive_;
+    static const bool has_begun = begin();
+    static_cast<void>(has_begun);
     H5Eget_auto2(H5E_DEFAULT, &print_, &data_);
     H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
   }
-  ~Hdf5Silence() { H5Eset_auto2(H5E_DEFAULT, print_, data_); }
+  ~Hdf5Silence() {
+    H5Eset_auto2(H5E_DEFAULT, print_, data_);
+    --alive_;
+  }
   Hdf5Silence(const Hdf5Silence&) = delete;
   Hdf5Silence& operator=(const Hdf5Silence&) = delete;
 
  private:
+  static void end_without_memory() {
+    constexpr std::string_view text = "glissade: there is not enough memory for this\n";
+    static_cast<void>(!::write(STDERR_FILENO, text.data(), text.size()));
+    ::_exit(2);
+  }
+  static bool begin() {
+    std::atexit([] {
+      if (alive_ > 0) end_without_memory();
+    });
+    struct sigaction report = {}, before = {};
+    report.sa_handler = [](int) { end_without_memory(); };
+    report.sa_flags = SA_ONSTACK;  // its error stack can call itself without end
+    alignas(16) static char room[1 << 16];
+    stack_t of_report = {}, stack_before = {};
+    of_report.ss_sp = room;
+    of_report.ss_size = sizeof room;
+    ::sigaltstack(&of_report, &stack_before);
+    ::sigaction(SIGSEGV, &report, &before);
+    H5E_auto2_t print = nullptr;
+    void* data = nullptr;
+    H5dont_atexit();  // it crashes at the end of the process where it could not close a file
+    const bool opened = H5open() >= 0 && H5Eget_auto2(H5E_DEFAULT, &print, &data) >= 0;
+    ::sigaction(SIGSEGV, &before, nullptr);
+    ::sigaltstack(&stack_before, nullptr);
+    if (opened) return true;
+    --alive_;
+    throw std::bad_alloc();
+  }
+
+  static inline int alive_ = 0;
   H5E_auto2_t print_ = nullptr;
   void* data_ = nullptr;
 };
