@@ -132,7 +132,11 @@ Found period(const Project& p) {
       shortest_s >= low_s / most_apart && longest_s <= most_apart * high_s};
 }
 
-Found source(const Project& p) { return stated(p.friction.source); }
+/// Without the hash of a file of tests, which the friction table has.
+Found source(const Project& p) {
+  return p.friction.tested.empty() ? stated(p.friction.source)
+                                   : Statement{"pull tests of friction.file", true};
+}
 Found laboratory(const Project& p) { return stated(p.friction.laboratory); }
 Found tested_on(const Project& p) { return dated(p.friction.tested_on); }
 Found surface(const Project& p) {
