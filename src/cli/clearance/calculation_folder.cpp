@@ -114,7 +114,8 @@ void CalculationFolder::run(const std::string& name,
                .stop_file = path_ / "stop"},
               world_);
   } catch (const ExitStatus& exit) {
-    if (world_.is_root() && exit.status == 2) put_back(file, earlier);
+    // One that goes on has the study of its project, which is as it was.
+    if (world_.is_root() && exit.status == 2 && options_.resume.empty()) put_back(file, earlier);
     if (exit.status != 0) throw;  // 0: it was finished
   }
 }
