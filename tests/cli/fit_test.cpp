@@ -300,7 +300,8 @@ TEST_F(Fit, another_header_or_no_rows_are_refused) {
 
 TEST_F(Fit, states_what_is_taken_as_independent) {
   const std::string rows = "0.4,20,1\n0.6,20,6\n0.8,20,12\n1.0,20,18\n";
-  const Json plain = fit_json({"--counts", folder_.write("a.csv", "im,num_gms,num_exceed\n" + rows)});
+  const Json plain =
+      fit_json({"--counts", folder_.write("a.csv", "im,num_gms,num_exceed\n" + rows)});
   EXPECT_THAT(std::string(plain.at("note")), testing::HasSubstr("every trial is taken as indep"));
   EXPECT_THAT(std::string(plain.at("warning")), testing::HasSubstr("IDA"));
   std::string by_event = "im_cap,record,event\n";

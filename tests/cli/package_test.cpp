@@ -372,9 +372,9 @@ TEST_F(Package, of_a_soft_roof_and_a_weak_array_is_not_applicable) {
   double lowest = 10.0;
   const nlohmann::json whole = numbers();
   for (const auto& peak : whole.at("roof_acceleration"))
-    lowest = std::min(lowest, peak.at("median_g").get<double>() /
-                                  std::max(peak.at("asce7_16_g").get<double>(),
-                                           peak.at("asce7_22_g").get<double>()));
+    lowest = std::min(
+        lowest, peak.at("median_g").get<double>() / std::max(peak.at("asce7_16_g").get<double>(),
+                                                             peak.at("asce7_22_g").get<double>()));
   EXPECT_EQ(checks_in(whole).at(roof), lowest >= 0.8);  // a limit of the program
 }
 

@@ -88,15 +88,16 @@ FitSummary fit_of(const Design& design, std::size_t records, std::uint64_t seed)
                                        : fit_brackets(capacities, Independent::records);
 }
 
-/// Displacements of one record: ln D = 0.8 (sqrt(0.7) a + sqrt(0.3) e), a by record and e by sample.
+/// Displacements of one record: ln D = 0.8 (sqrt(0.7) a + sqrt(0.3) e), a by record and e by
+/// sample.
 constexpr double displacement_log_std = 0.8;
 double displacement(std::uint64_t seed, std::size_t record, int sample) {
   const auto z = [&](std::uint32_t k) {
     return keyed_normal(seed, RandomPurpose::test, record, k);
   };
-  return std::exp(displacement_log_std *
-                  (std::sqrt(0.7) * z(0) +
-                   std::sqrt(0.3) * z(1 + static_cast<std::uint32_t>(sample))));
+  return std::exp(
+      displacement_log_std *
+      (std::sqrt(0.7) * z(0) + std::sqrt(0.3) * z(1 + static_cast<std::uint32_t>(sample))));
 }
 
 void add_percentiles(CoverageCases& cases, std::size_t records) {
@@ -119,7 +120,8 @@ void add_percentiles(CoverageCases& cases, std::size_t records) {
       share.add(interval, truth);
       below += interval.high < truth;
     }
-    const std::string quantity = fmt::format("{:.0f}th percentile of displacement", 100 * percentile);
+    const std::string quantity =
+        fmt::format("{:.0f}th percentile of displacement", 100 * percentile);
     cases.add({.group = "percentiles of displacement",
                .records = records,
                .data = "20 samples each",
@@ -144,10 +146,10 @@ struct Mean {
   double log_std, least;  ///< normal z of the least value
   double low;             ///< that must be covered
 };
-constexpr std::array means = {Mean{"mean of displacement", 0.8, -infinity, 0.93},
-                              Mean{"mean of displacement", 1.0, -infinity, 0.93},
-                              Mean{"annual rate", 1.4, -infinity, 0.93},
-                              Mean{"annual rate that three in ten records carry", 1.0, 0.5244, 0.88}};
+constexpr std::array means = {
+    Mean{"mean of displacement", 0.8, -infinity, 0.93},
+    Mean{"mean of displacement", 1.0, -infinity, 0.93}, Mean{"annual rate", 1.4, -infinity, 0.93},
+    Mean{"annual rate that three in ten records carry", 1.0, 0.5244, 0.88}};
 
 void add_means(CoverageCases& cases, std::size_t records) {
   for (const Mean& mean : means) {
@@ -158,8 +160,8 @@ void add_means(CoverageCases& cases, std::size_t records) {
     for (std::uint64_t i = 0; i < static_cast<std::uint64_t>(sets()); ++i) {
       std::vector<double> values;
       for (std::size_t record = 0; record < records; ++record)
-        values.push_back(
-            std::max(least, std::exp(s * keyed_normal(900000 + i, RandomPurpose::test, record, 0))));
+        values.push_back(std::max(
+            least, std::exp(s * keyed_normal(900000 + i, RandomPurpose::test, record, 0))));
       share.add(positive_mean_interval(values), truth);
     }
     cases.add({.group = mean.name,

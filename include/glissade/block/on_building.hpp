@@ -93,10 +93,10 @@ bool coupling_is_regular(const Block& block, const BiaxialBuilding& building);
 ///   median is below 1e-5, the largest below 3e-4. At 1e-10 all are below 1e-9. Yielding buildings
 ///   and uplift are compared with a midpoint rule to 1e-3 only (on_building_truth_test). On modes r
 ///   counts in place of m/M: errors are the same up to 0.5, and 2e-5 at 1.8; on one axis 1e-6 up to
-///   12, where the phases are as many as between exact events. Their base shear is accurate to 1e-3:
-///   the friction of a block that turns as it stops acts on it at once (on_building_modes_test).
-///   Each step may have its own error, so that many short phases of little slip have more than one
-///   tolerance.
+///   12, where the phases are as many as between exact events. Their base shear is accurate to
+///   1e-3: the friction of a block that turns as it stops acts on it at once
+///   (on_building_modes_test). Each step may have its own error, so that many short phases of
+///   little slip have more than one tolerance.
 /// @throw NotConverged after 100,000 steps and fifty a sample: a law that is nearly a jump in speed
 BuildingSlip slide_on_building(const BuildingGround& ground, const MotionFactors& factors,
                                const BiaxialBuilding& building, const Block& block,

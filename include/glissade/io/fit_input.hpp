@@ -9,8 +9,9 @@
 #include "glissade/fragility/fit.hpp"
 
 // The CSV files of `glissade fit`: a header that names the columns, in any order, then a row each.
-// All may have the columns `record` (any text; rows of one record are not independent), `event` (any
-// text; records of one event are not independent) and `weight` (0 or more). Lines that begin with # are comments. InputError names the wrong lines.
+// All may have the columns `record` (any text; rows of one record are not independent), `event`
+// (any text; records of one event are not independent) and `weight` (0 or more). Lines that begin
+// with # are comments. InputError names the wrong lines.
 namespace glissade {
 
 /// Which columns a file has beside those it needs.

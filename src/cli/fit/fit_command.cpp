@@ -121,9 +121,9 @@ void add_notes(const Input& input, FitOutput& output) {
         "depend on each other",
         record_count(input.rows)));
   if (!input.same.empty())
-    output.warning += fmt::format(
-        "{}records {} have the same rows: if they are one record, it counts twice",
-        output.warning.empty() ? "" : "; ", input.same);
+    output.warning +=
+        fmt::format("{}records {} have the same rows: if they are one record, it counts twice",
+                    output.warning.empty() ? "" : "; ", input.same);
 }
 
 void run(const FitOptions& o) {
@@ -143,9 +143,8 @@ void run(const FitOptions& o) {
   else if (!o.counts.empty())
     fitted(announced(read_counts(o.counts)), fit_counts);
   else
-    fitted(announced(read_capacities(o.capacities)), [&](const CapacitiesInput& input) {
-      return fit_capacities_of(input, o.censor_at);
-    });
+    fitted(announced(read_capacities(o.capacities)),
+           [&](const CapacitiesInput& input) { return fit_capacities_of(input, o.censor_at); });
 }
 
 }  // namespace

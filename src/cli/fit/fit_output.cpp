@@ -159,9 +159,9 @@ void print_cloud(const FitOutput& output, bool json) {
         {"p50", fmt::format("above {:g} at", row.threshold), row.p50, row.p50_interval});
   medians.push_back(effective);
   if (cloud.collapse)
-    put("{}\n", to_text(to_table(
-                    fmt::format("Collapse (edp inf): {}", to_string(cloud.collapse->status)),
-                    findings_of(*cloud.collapse))));
+    put("{}\n",
+        to_text(to_table(fmt::format("Collapse (edp inf): {}", to_string(cloud.collapse->status)),
+                         findings_of(*cloud.collapse))));
   put("{}\n{}\n{}", to_text(to_table(fmt::format("Any slip: {}", any_text(f.any_status)), any)),
       to_text(to_table(fmt::format("Size of slip: {}", size_text(f.size_status)), size)),
       to_text(to_table("Intensity at which 50 % exceed", medians)));

@@ -338,7 +338,8 @@ void add_options(CLI::App& command, SlideOptions& o) {
                      "event (exact) or rodriguez-nikl (published time stepping)");
   command.add_option("--substeps", o.given_substeps, "substeps P of rodriguez-nikl [64]");
   command.add_flag("--one-way", o.one_way, "no upslope slip (classical Newmark)");
-  command.add_option("--dt-s", o.dt_s, "time step of files without one, or that print it with too few digits");
+  command.add_option("--dt-s", o.dt_s,
+                     "time step of files without one, or that print it with too few digits");
   command.add_option("--units", o.units, "units of files that do not state theirs: g, m/s2, cm/s2");
   command.add_option("--counts-per-unit", o.counts_per_unit,
                      "counts of the recorder for one of --units (miniSEED)");

@@ -122,10 +122,9 @@ void note_small_sample(const Records& data, FitSummary& summary) {
                  "few records with uneven weights or numbers of rows: the 95 % intervals cover as "
                  "little as 90 %");
   else if (count >= 7 && std::min(data.contributing(true), data.contributing(false)) < 6)
-    add_sentence(summary.note,
-                 std::string("fewer than six records ") +
-                     (data.contributing(true) < 6 ? "exceed" : "do not exceed") +
-                     ": the 95 % intervals cover as little as 92 %");
+    add_sentence(summary.note, std::string("fewer than six records ") +
+                                   (data.contributing(true) < 6 ? "exceed" : "do not exceed") +
+                                   ": the 95 % intervals cover as little as 92 %");
 }
 
 /// A bound has a median interval with one open end, and the log_std that it assumes.

@@ -37,8 +37,7 @@ double effective_trials(const Shares& of, double level) {
     exceed.push_back(of.histories[i] * of.shares[i]);
     others.push_back(of.histories[i] * (1.0 - of.shares[i]));
   }
-  const double trials =
-      of.mean * (1.0 - of.mean) * (of.all * of.all / n) * (n - 1.0) / squares;
+  const double trials = of.mean * (1.0 - of.mean) * (of.all * of.all / n) * (n - 1.0) / squares;
   const double freedom =
       std::min({effective_number(exceed), effective_number(others), of.records - 1});
   return std::max(trials * reduction(freedom, level), std::min(trials, of.records));

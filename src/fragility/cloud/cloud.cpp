@@ -52,7 +52,8 @@ Interval interval_of(const Quantity& quantity, const CloudFit& fit, const CloudV
 double log_p50(const CloudFit& fit, double threshold) {
   const TwoPartFit& parts = fit.parts;
   const auto excess = [&](double y) { return fit.probability(std::exp(y), threshold) - 0.5; };
-  double low = (std::log(threshold) - parts.intercept) / parts.slope, high = low;  // of the size alone
+  double low = (std::log(threshold) - parts.intercept) / parts.slope,
+         high = low;  // of the size alone
   const double step = parts.log_std / parts.slope;
   for (int i = 0; i < 200 && excess(low) > 0; ++i) low -= step;
   for (int i = 0; i < 200 && excess(high) < 0; ++i) high += 0.5 * step * (1 << std::min(i, 20));
@@ -72,7 +73,8 @@ void check(const std::vector<CloudPoint>& points, const std::vector<double>& thr
     problems.add({"cloud",
                   "intensity " + std::to_string(point.intensity) + ", displacement " +
                       std::to_string(point.displacement),
-                  "give an intensity above 0 and a displacement of 0 or more, inf of a collapse", ""});
+                  "give an intensity above 0 and a displacement of 0 or more, inf of a collapse",
+                  ""});
   }
   for (const double threshold : thresholds) {
     if (!is_number(threshold, false))
@@ -171,7 +173,8 @@ CloudSummary fit_cloud(const std::vector<CloudPoint>& points,
   summary.slope_interval = interval([](const CloudFit& f) { return f.parts.slope; });
   summary.log_std_interval = chi_square_interval(summary.fit.log_std, errors.log_std_freedom);
   if (summary.fit.any_status == FitStatus::maximum_likelihood) {
-    const LogRows all = any_counts(rows), counts = summed(all, to_line(summary.fit.any, all.center));
+    const LogRows all = any_counts(rows),
+                  counts = summed(all, to_line(summary.fit.any, all.center));
     const Interval y =
         any_region(counts, summary.fit, errors.median_design_effect, errors).range(log_median);
     summary.any_median_interval = exponentials({counts.center + y.low, counts.center + y.high});

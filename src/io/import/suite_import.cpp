@@ -38,8 +38,8 @@ struct GivenReport {
     const ComponentAddress address = split_address(given.string());
     RecordStore store;
     const RecordStore::Found found = store.find(address.file, address.component);
-    content = read_search_report(
-        {found.path, std::string(record_text(found.path, *found.bytes).text)});
+    content =
+        read_search_report({found.path, std::string(record_text(found.path, *found.bytes).text)});
     file = address.file;
     member = address.component;
   }

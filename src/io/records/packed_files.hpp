@@ -21,9 +21,9 @@ struct PackedFile {
   std::string bytes;
 };
 /// Gives the files of an archive, and of archives in it, one after the other, in memory only,
-/// without folders and hidden ones; what is left out: links, encrypted files, improper names. Throws
-/// InputError where it is damaged, and where it holds more than 20,000 files, 256 MiB in one or 512
-/// MiB in all.
+/// without folders and hidden ones; what is left out: links, encrypted files, improper names.
+/// Throws InputError where it is damaged, and where it holds more than 20,000 files, 256 MiB in one
+/// or 512 MiB in all.
 std::vector<LeftOut> unpack(const std::filesystem::path& file, std::string_view bytes,
                             const std::function<void(PackedFile)>& take);
 

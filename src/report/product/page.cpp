@@ -117,8 +117,7 @@ bool write_product_sheet(const ProductSheet& sheet, const std::filesystem::path&
           "{}. The same files and version give the same numbers. All digits are in "
           "tables/displacements.csv.",
           sheet.program_version, sheet.build, plans, sheet.product_sha256, sheet.suite_sha256)) +
-      "<h3>Product file, without its comments</h3>\n" +
-      study_file(product.source_text);
+      "<h3>Product file, without its comments</h3>\n" + study_file(product.source_text);
   bool is_printed = false;
   write_parts({"product.html", std::move(tables), {}, "product.xlsx"}, out_dir,
               [&](auto) { is_printed = write_and_print(page, out_dir / "product.html"); });

@@ -49,9 +49,9 @@ std::string estimate_text(ColumnKind kind, const NumberCell& estimate) {
   // The interval in the value's first unit only: a range of metres and inches together is hard to
   // read.
   const auto end = [&](double number) {
-    return std::isinf(number)         ? std::string("unbounded")
+    return std::isinf(number)           ? std::string("unbounded")
            : kind == ColumnKind::length ? length_number(number, LengthUnits::first())
-                                      : number_text(kind, number);
+                                        : number_text(kind, number);
   };
   return value + " [" + end(estimate.interval.low) + ", " + end(estimate.interval.high) + "]";
 }

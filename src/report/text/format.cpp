@@ -135,9 +135,10 @@ std::string open_percentile(std::size_t records) {
   const std::size_t fewest = records_that_bound(0.16);
   return records >= fewest
              ? ""
-             : fmt::format("Fewer than {} records do not bound the 84th percentile from above (95 % "
-                           "interval), fewer than {} the 95th.",
-                           fewest, records_that_bound(0.05));
+             : fmt::format(
+                   "Fewer than {} records do not bound the 84th percentile from above (95 % "
+                   "interval), fewer than {} the 95th.",
+                   fewest, records_that_bound(0.05));
 }
 
 std::string standard_name(Standard standard) {

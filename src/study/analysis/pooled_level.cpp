@@ -59,9 +59,7 @@ double PooledLevel::share_above(double slip_m) const {
   return static_cast<double>(above) / static_cast<double>(sorted_.size());
 }
 
-Interval PooledLevel::mean_interval() const {
-  return positive_mean_interval(record_means_);
-}
+Interval PooledLevel::mean_interval() const { return positive_mean_interval(record_means_); }
 
 Interval PooledLevel::share_interval(double slip_m) const {
   std::vector<double> shares, histories;

@@ -87,8 +87,7 @@ TEST(positive_mean_interval, covers_the_mean_of_lognormal_rates) {
         for (int i = 0; i < records; ++i)
           rates.push_back(1e-4 *
                           std::exp(spread * keyed_normal(study, RandomPurpose::test, i, 77)));
-        share += covers(positive_mean_interval(rates),
-                        1e-4 * std::exp(0.5 * spread * spread))
+        share += covers(positive_mean_interval(rates), 1e-4 * std::exp(0.5 * spread * spread))
                      ? 1e-3
                      : 0;
       }
@@ -101,12 +100,14 @@ TEST(positive_mean_interval, covers_the_mean_of_lognormal_rates) {
 }
 
 // In 11 records some 70 % have the rate of the highest level, which they do not reach: percentiles
-// of resamples cover 78 %, Cox's interval with the bootstrap-t 81 %. 600 studies: 3 sigma are 2.6 %.
+// of resamples cover 78 %, Cox's interval with the bootstrap-t 81 %. 600 studies: 3 sigma are 2.6
+// %.
 TEST(positive_mean_interval, covers_rates_that_few_records_carry) {
   double truth = 0, share = 0;
   for (int i = 0; i < 4000; ++i) {  // by the midpoint rule
     const double z = -8 + 16 * (i + 0.5) / 4000;
-    truth += 16 / 4000.0 * std::exp(std::max(z, 0.524) - 0.5 * z * z) / std::sqrt(2 * std::acos(-1));
+    truth +=
+        16 / 4000.0 * std::exp(std::max(z, 0.524) - 0.5 * z * z) / std::sqrt(2 * std::acos(-1));
   }
   for (int study = 0; study < 600; ++study) {
     std::vector<double> rates;

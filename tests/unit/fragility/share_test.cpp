@@ -30,7 +30,8 @@ TEST(share_interval, is_the_share_where_all_records_have_the_same) {
 // Equal numbers of histories, whatever they are, are those of one each.
 TEST(share_interval, counts_records_by_their_histories) {
   const std::vector<double> shares{0.1, 0.5, 0.2, 0.9, 0.4, 0.3};
-  const Interval each = share_interval(shares), of_50 = share_interval(shares, std::vector(6, 50.0)),
+  const Interval each = share_interval(shares),
+                 of_50 = share_interval(shares, std::vector(6, 50.0)),
                  of_more = share_interval(shares, {1, 1, 1, 4, 1, 1});
   EXPECT_NEAR(of_50.low, each.low, 1e-12);
   EXPECT_NEAR(of_50.high, each.high, 1e-12);

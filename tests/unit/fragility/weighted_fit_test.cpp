@@ -41,8 +41,8 @@ TEST(weights, of_equal_weights_is_the_plain_fit) {
 
 /// What is printed of a fit.
 std::vector<double> numbers_of(const FitSummary& fit) {
-  return {fit.curve.median,         fit.curve.log_std,         fit.median_interval.low,
-          fit.median_interval.high, fit.log_std_interval.low,  fit.log_std_interval.high,
+  return {fit.curve.median,         fit.curve.log_std,        fit.median_interval.low,
+          fit.median_interval.high, fit.log_std_interval.low, fit.log_std_interval.high,
           fit.effective_records};
 }
 

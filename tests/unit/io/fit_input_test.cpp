@@ -92,8 +92,8 @@ TEST(fit_file, has_records_and_weights_in_any_column) {
 TEST(fit_file, takes_the_event_of_records_as_what_is_independent) {
   const TemporaryFolder folder;
   const std::string head = "im,num_gms,num_exceed,record,event\n";
-  const CountsInput counts = read_counts(
-      folder.write("c.csv", head + "0.4,8,1,a,E1\n0.4,8,3,b,E1\n0.4,8,2,c,E2\n"));
+  const CountsInput counts =
+      read_counts(folder.write("c.csv", head + "0.4,8,1,a,E1\n0.4,8,3,b,E1\n0.4,8,2,c,E2\n"));
   EXPECT_TRUE(counts.has.event && counts.has.unit());
   EXPECT_EQ(counts.rows[0].record, counts.rows[1].record);
   EXPECT_NE(counts.rows[0].record, counts.rows[2].record);

@@ -53,9 +53,9 @@ TEST_F(ProjectChecks, a_building_below_motions_of_its_roof_is_one_problem) {
 }
 
 TEST_F(ProjectChecks, lengths_that_are_refused_are_named_as_they_are_written) {
-  EXPECT_THAT(problems_of(whole_project + "[clearances]\nopen_edge_m = \"-2 ft\"\n"),
-              Contains(Field(&Problem::what,
-                             states("clearances.open_edge_m = '-2 ft' is not 0 or more"))));
+  EXPECT_THAT(
+      problems_of(whole_project + "[clearances]\nopen_edge_m = \"-2 ft\"\n"),
+      Contains(Field(&Problem::what, states("clearances.open_edge_m = '-2 ft' is not 0 or more"))));
 }
 
 TEST_F(ProjectChecks, what_no_rule_of_a_number_meets_is_a_warning) {

@@ -21,8 +21,8 @@ TEST(summary, reports_fragilities_standards_skips_and_notes_in_ascii) {
       made_up_results(),
       {{"histories whose roof peak stays in the stick range", "they cannot slip", 1234},
        {"a", "b", 0}});
-  EXPECT_THAT(text, states("0.300 (11.8)", "SEAOC PV1-2012", "ASCE 7-16", "stick range (1234): they",
-                           "\n  a: b\n"));
+  EXPECT_THAT(text, states("0.300 (11.8)", "SEAOC PV1-2012", "ASCE 7-16",
+                           "stick range (1234): they", "\n  a: b\n"));
   for (const char c : text) EXPECT_LT(static_cast<unsigned char>(c), 128);
 }
 

@@ -72,8 +72,7 @@ TEST(impact, is_of_the_slice_s_cases_alone) {
     study.set(record, 3, 0, 0, 1.0, 0.7);
   }
   const auto of = [&](CaseSlice cases) {
-    return impact_statistics(study.histories, cases, study.levels, study.thresholds_m)
-        .front();
+    return impact_statistics(study.histories, cases, study.levels, study.thresholds_m).front();
   };
   EXPECT_EQ(of({0, 2}).reached_share.value, 0.5);
   EXPECT_EQ(of({0, 2}).speed_largest_mps, 0.1);
@@ -152,7 +151,8 @@ TEST(impact, all_getting_there_leaves_the_share_without_interval_but_not_the_spe
   EXPECT_LT(s.speed_median_mps.interval.low, s.speed_median_mps.interval.high);
 }
 
-// The median of 4 speeds of one record and of 1 each of eleven others. The share of the pooled histories above a speed has 0.5 within its interval at the ends.
+// The median of 4 speeds of one record and of 1 each of eleven others. The share of the pooled
+// histories above a speed has 0.5 within its interval at the ends.
 TEST(impact, intervals_of_speed_are_over_records_with_all_they_bring) {
   Study study(12, 4);
   std::vector<std::vector<double>> speeds(12);

@@ -32,7 +32,7 @@ struct HazardConfig {
 /// threshold counts as if any shaking above that level did.
 struct ThresholdRate {
   double threshold_m = 0.0;
-  Estimate annual_rate;         ///< infinite where a history slides freely
+  Estimate annual_rate;  ///< infinite where a history slides freely
   double effective_records = std::numeric_limits<double>::quiet_NaN();  ///< that carry the rate
   double beyond_share = 0.0;    ///< part of the rate that comes from histories so counted
   double fit_rate = 0.0;        ///< of the lognormal fit; NaN without one

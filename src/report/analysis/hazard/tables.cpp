@@ -154,7 +154,8 @@ Table hazard_table(const Results& results, std::optional<double> threshold_m) {
       "is an upper bound (<), without an interval.",
       "Half of it above: half of the annual rate is of shaking stronger than this (the median of "
       "its deaggregation by intensity).",
-      "Effective number of records: (sum r)^2 / sum r^2 of the rates r by record. Where few records "
+      "Effective number of records: (sum r)^2 / sum r^2 of the rates r by record. Where few "
+      "records "
       "carry the rate, the upper end may be too low. The hazard curve and the friction tests are "
       "outside the interval."};
   return with_listed(results, t);

@@ -58,10 +58,11 @@ Table rare_table(const Results& results) {
   t.notes = {
       "Samples: interval from independent scrambles, on these records. Records: interval over "
       "records.",
-      fmt::format("Effective number: (sum p)^2 / sum p^2 of the contributions p of the samples, of "
-                  "the records. With fewer than {:g} of the samples the error of the samples is "
-                  "not known (-); with few of the records the upper end over records may be too low.",
-                  least_effective_samples),
+      fmt::format(
+          "Effective number: (sum p)^2 / sum p^2 of the contributions p of the samples, of "
+          "the records. With fewer than {:g} of the samples the error of the samples is "
+          "not known (-); with few of the records the upper end over records may be too low.",
+          least_effective_samples),
       "Plain Monte Carlo samples: as many would be required for the same sampling error."};
   return t;
 }

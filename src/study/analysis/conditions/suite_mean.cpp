@@ -174,7 +174,10 @@ OrientationRange over_orientations(const Results& results, const MeanQuestion& q
   const Interval median = std::isnan(lows.front())
                               ? Interval{}
                               : Interval{quantile_of(lows, 0.5), quantile_of(highs, 0.5)};
-  return {*low, mean_by(OrientationRule::median, means), *high, median,
+  return {*low,
+          mean_by(OrientationRule::median, means),
+          *high,
+          median,
           {lows[at_high], highs[at_high]}};
 }
 
