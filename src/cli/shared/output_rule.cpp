@@ -12,6 +12,7 @@
 #include "glissade/core/error.hpp"
 #include "glissade/core/file.hpp"
 #include "glissade/core/folder.hpp"
+#include "glissade/core/input_file.hpp"
 #include "glissade/report/results_folder.hpp"
 #include "run/run_record.hpp"
 
@@ -26,8 +27,8 @@ namespace fs = std::filesystem;
 }
 
 void check_folder(const fs::path& folder) {
-  std::error_code ignored;
-  if (fs::exists(folder, ignored) && !fs::is_directory(folder, ignored))
+  const fs::file_status status = status_of(folder);
+  if (fs::exists(status) && !fs::is_directory(status))
     throw InputError({"--out", folder.string() + " is not a folder", "give another --out", ""});
   check_own(folder);
 }
@@ -92,13 +93,13 @@ void add_overwrite(CLI::App& command, bool& overwrite) {
 }
 
 void check_output_file(const fs::path& file, const std::string& option, bool overwrite) {
-  std::error_code ignored;
-  const bool leads_nowhere = fs::is_symlink(file, ignored) && !fs::exists(file, ignored);
-  if (!overwrite && (leads_nowhere || fs::is_regular_file(file, ignored)))
+  const fs::file_status status = status_of(file);
+  const bool leads_nowhere = fs::is_symlink(link_status_of(file)) && !fs::exists(status);
+  if (!overwrite && (leads_nowhere || fs::is_regular_file(status)))
     refuse(option, file, "is there already");
-  if (fs::is_directory(file, ignored))
+  if (fs::is_directory(status))
     throw InputError({option, file.string() + " is a folder", "give a file", ""});
-  if (!fs::exists(file, ignored))
+  if (!fs::exists(status))
     check_may_write(file.has_parent_path() ? file.parent_path() : ".", option);
 }
 
@@ -116,11 +117,8 @@ void check_output_folder(const fs::path& folder, bool overwrite) {
 
 void check_report_folder(const fs::path& folder, bool overwrite) {
   check_folder(folder);
-  for (const char* name : {"report.html", "tables", "figures"}) {
-    std::error_code ignored;
-    if (!overwrite && fs::exists(fs::symlink_status(folder / name, ignored)))
-      refuse("--out", folder, "holds a report");
-  }
+  for (const char* name : {"report.html", "tables", "figures"})
+    if (!overwrite && is_there(folder / name)) refuse("--out", folder, "holds a report");
 }
 
 std::unique_ptr<RunLock> take_folder(const fs::path& folder) {
