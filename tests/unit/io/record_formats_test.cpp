@@ -406,6 +406,10 @@ TEST(record_formats, a_spectrum_or_a_table_of_modes_is_refused_as_what_it_is) {
   expect_refusals(
       read, {{"period_s,sa_g\n" + rows, "sa:2", {"'period_s'", "spectrum"}},
              {"T,PSA (g)\n" + rows, "sa:2", {"'T'", "spectrum"}},
+             {"T [s],S_e [g]\n" + rows, "sa:2", {"'T [s]'", "spectrum"}},
+             {"Time (s),PSA (g)\n" + rows, "sa:2", {"'Time (s)'", "spectrum"}},
+             {"Tn (s),A (g)\n" + rows, "sa:2", {"'Tn (s)'", "spectrum"}},
+             {"Schwingungszeit [s],Sa [g]\n" + rows, "sa:2", {"Schwingungszeit", "spectrum"}},
              {"Frequency (Hz),Amplitude (g)\n" + rows, "sa:2", {"'Frequency (Hz)'", "spectrum"}},
              {"Hz,acc_g\n" + rows, "sa:2", {"'Hz'", "spectrum"}},
              {"# Period (s), Sa (g)\n" + rows, "sa:1", {"Period (s)", "spectrum"}},

@@ -94,8 +94,8 @@ bool is_named(const std::string& lower, std::initializer_list<std::string_view> 
 
 bool is_period(const TableColumn& column) {
   const std::string lower = lower_case(column.name);
-  return column.meaning.kind == UnitKind::frequency || is_named(lower, {"hz", "f"}) ||
-         has_any_of(lower, {"period", "freq", "frec", "omega"});
+  return column.meaning.kind == UnitKind::frequency || is_named(lower, {"hz", "f", "tn", "t_n"}) ||
+         has_any_of(lower, {"period", "freq", "frec", "omega", "schwing"});
 }
 
 }  // namespace
@@ -150,7 +150,7 @@ std::string spectrum_column(const std::vector<TableColumn>& columns) {
     return is_named(lower_case(column.name), names);
   };
   const auto is_spectral = [&](const TableColumn& column) {
-    return named(column, {"sa", "sv", "sd", "s_a"}) ||
+    return named(column, {"sa", "sv", "sd", "s_a", "se", "s_e", "spa", "sa_g"}) ||
            has_any_of(lower_case(column.name), {"psa", "psv", "pseudo", "spectr", "ps-acc"});
   };
   const auto is_number = [](const TableColumn& column) {
@@ -165,8 +165,8 @@ std::string spectrum_column(const std::vector<TableColumn>& columns) {
   // "Sampling frequency (Hz), 100" and "Frequency content" are no headings.
   if (std::ranges::any_of(columns, is_number) || std::ranges::none_of(columns, is_value)) return "";
   const bool has_spectral = std::ranges::any_of(columns, is_spectral);
-  for (const TableColumn& column : columns)  // "T" is a time or a period
-    if (is_time(column) && !is_period(column) && !(has_spectral && named(column, {"t"}))) return "";
+  for (const TableColumn& column : columns)
+    if (is_time(column) && !is_period(column) && !has_spectral) return "";
   for (const TableColumn& column : columns)
     if (is_period(column) || (has_spectral && is_time(column))) return column.heading;
   return "";
