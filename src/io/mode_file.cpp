@@ -131,6 +131,13 @@ class ModeTable {
     shape_ = column({"roof_shape"});
     damping_ = column({"damping", "damping_ratio"});
     case_ = column({"case", "outputcase"});
+    for (const std::string_view name : names) {
+      const std::string lower = lower_case(name);
+      const bool is_damping = lower.find("damp") != lower.npos || lower == "xi" || lower == "zeta";
+      if (is_damping && !damping_)
+        refuse("has the column " + in_quotes(name) + ", which is not read",
+               "name it damping_ratio, with ratios as 0.05, or leave it out");
+    }
     if (!period_ || !share_)
       refuse(fmt::format("has no column {}", period_ ? "mass_share, or UX and UY" : "period_s"),
              "begin with period_s,participation,mass_share, or with the heading of Modal "

@@ -167,6 +167,10 @@ TEST(Building, refuses_what_is_none_and_warns_of_missing_modes) {
       {"--modes", folder.write("p.csv", "period_s,participation,mass_share,damping\n0.5,1,1,5\n")},
       "5 %");
   refused({"--modes", folder.write("n.csv", "period_s,participation\n0.5,1\n")}, "mass_share");
+  for (const char* name : {"damping %", "Damping [%]", "xi"})
+    refused({"--modes", folder.write("d.csv", std::string("period_s,participation,mass_share,") +
+                                                  name + "\n0.5,1,1,5\n")},
+            "is not read");
   const Json few = building_json({"--modes", modes("0.5,1.6,0.6\n")});
   EXPECT_EQ(few.at("warnings").size(), 2u);
   // 120 t on 9e4 kN/m: 0.23 s. In kg with kN/m 7.3 s is possible; 900 kN/m make it 73 s.
