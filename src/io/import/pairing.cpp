@@ -265,7 +265,15 @@ void compare_steps(ImportedRecord& record, const Pieces& pieces, const ImportOpt
   if (options.resample && step(*shortest) < step(*longest)) record.step_s = step(*shortest);
 }
 
-void warn_of_names_and_locations(ImportedRecord& record, const Pieces& pieces) {
+/// Of a channel below the roof: of the ground, or where a structure meets it.
+bool is_at_ground(const std::string& location) {
+  const std::string lower = lower_case(location);
+  return std::ranges::any_of(
+      std::array{"ground", "free", "embankment", "base", "footing", "foundation"},
+      [&](const char* word) { return lower.find(word) != lower.npos; });
+}
+
+void warn_of_names_and_locations(ImportedRecord& record, const Pieces& pieces, bool of_roof) {
   std::string suggested;
   std::set<std::string> locations;
   for (const ComponentPiece& piece : pieces) {
@@ -275,13 +283,17 @@ void warn_of_names_and_locations(ImportedRecord& record, const Pieces& pieces) {
   }
   if (!suggested.empty())
     record.warnings.push_back("directions that only the names of its files suggest: " + suggested);
+  for (const std::string& location : locations)
+    if (of_roof && is_at_ground(location))
+      record.warnings.push_back("a motion of the roof is taken at " + in_quotes(location) +
+                                ", which is no roof");
   if (locations.size() > 1)
     record.warnings.push_back("its components are at several locations: " +
                               fmt::format("{}", fmt::join(locations, "; ")));
 }
 
-void warn_of_components(ImportedRecord& record, const Pieces& pieces) {
-  warn_of_names_and_locations(record, pieces);
+void warn_of_components(ImportedRecord& record, const Pieces& pieces, bool of_roof) {
+  warn_of_names_and_locations(record, pieces, of_roof);
   if (record.station.ends_with(" borehole"))
     record.warnings.push_back("was recorded in a borehole: the surface moves more");
   for (const ComponentPiece& piece : pieces) {
@@ -337,7 +349,7 @@ ImportedRecord record_of(const Pieces& pieces, const ImportOptions& options,
     record.components[is_vertical(piece) ? vertical_at : horizontal++] = piece.component;
   compare_steps(record, pieces, options);
   compare_lengths(record, pieces, options);
-  warn_of_components(record, pieces);
+  warn_of_components(record, pieces, options.roof.has_value());
   return record;
 }
 

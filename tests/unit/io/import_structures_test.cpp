@@ -55,6 +55,9 @@ TEST_F(StructureImporter, a_location_is_a_motion_of_a_roof) {
   const Suite suite =
       load_suite(folder_.write("suite.toml", imported_suite_toml(found, head, folder_.path())));
   EXPECT_TRUE(suite.of_roof);
+  EXPECT_THAT(found.records[0].warnings, IsEmpty());
+  EXPECT_THAT(import_roof("free field").records.at(0).warnings,
+              ElementsAre(test::states("'Free field'", "no roof")));
   EXPECT_EQ(suite.motions.at(0).horizontal_mps2[1].size(), 200u);
 }
 
