@@ -148,6 +148,24 @@ DesignCheck site_specific_check(const ProjectSite& site) {
           lowest.ratio >= least};
 }
 
+/// S_DS of a spectrum by points is 90 % of its largest S_a (ASCE 7-16, 21.4): at least 80 % of that
+/// of the maps, and all of it with exception 2, behind which there is no site-specific analysis.
+DesignCheck design_value_check(const ProjectSite& site) {
+  const bool is_mapped = takes_exception_2(*site.mapped);
+  const double least = is_mapped ? 1.0 : 0.8;
+  double mapped_g = 0.0;
+  for (const SiteClass site_class : site.mapped->site_classes)
+    mapped_g = std::max(mapped_g, general_spectrum(*site.mapped, site_class).sds_g);
+  const double ratio = TargetSpectrum(site.target).sds_g() / mapped_g;
+  return {"S_DS of the spectrum, 90 % of its largest S_a, over that of S_S, S_1 and site class",
+          fmt::format("{:.3f}", ratio),
+          fmt::format("{:g} or more ({}, 21.4{})", least, edition_name(site.target.edition),
+                      is_mapped ? "; exception 2 of 11.4.8 leaves S_DS as it is: give a spectrum "
+                                  "whose largest S_a is S_DS / 0.9"
+                                : ""),
+          ratio >= least * (1.0 - 1e-9)};
+}
+
 /// Exception 2 of ASCE 7-16, 11.4.8, multiplies C_s beyond 1.5 T_S by 1.5: of a spectrum S_D1
 /// (supplement 3, recalled). Whether the suite, as it is scaled, meets that spectrum too.
 DesignCheck exception_2_check(const Project& project, const SuiteSpectra& spectra) {
@@ -175,7 +193,8 @@ DesignCheck exception_2_check(const Project& project, const SuiteSpectra& spectr
                       ratios.lowest.period_s, ratios.mean),
           fmt::format("{:g} of what is required over the design spectrum: exception 2 of ASCE "
                       "7-16, 11.4.8, multiplies C_s at long periods by {:g}, and so S_D1 of a "
-                      "spectrum (give that by site.spectrum, with ss_g, s1_g and site_class)",
+                      "spectrum (by site.spectrum, with ss_g, s1_g and site_class; its largest S_a "
+                      "is S_DS / 0.9, so that S_DS stays)",
                       least_over_target, by_exception),
           missing_factor(spectra.rule, ratios) <= 1.0 / least_over_target};
 }
@@ -204,7 +223,10 @@ std::vector<DesignCheck> checks_before_analysis(const Project& project, std::siz
                                 "(SEAOC PV1-2012); {} by ASCE 7-16, 16.2.2, for structures",
                                 least_records, motions_by_16_2),
                     records >= least_records});
-  if (project.site.mapped) checks.push_back(site_specific_check(project.site));
+  if (project.site.mapped) {
+    checks.push_back(site_specific_check(project.site));
+    checks.push_back(design_value_check(project.site));
+  }
   const ProjectFriction& mu = project.friction;
   const bool is_supported = mu.lower_bound && *mu.lower_bound >= least_supported * mu.design();
   checks.push_back(

@@ -120,6 +120,25 @@ TEST_F(ProjectChecks, a_site_specific_spectrum_is_compared_with_that_of_the_site
   EXPECT_TRUE(check(plateau + "5,0.1\n", "asce7_10").is_met);
 }
 
+// S_DS of the maps 2/3 x 1.2 x 1.5 = 1.2 g; of points 0.9 x their largest: 0.9 x 1.2 is 0.9 of it.
+TEST_F(ProjectChecks, a_spectrum_lowers_s_ds_by_a_fifth_at_most_and_not_by_exception_2) {
+  const auto check = [&](const std::string& plateau_g, const std::string& exception) {
+    folder_.write("site.csv",
+                  "period_s,design_sa_g\n0.01," + plateau_g + "\n5," + plateau_g + "\n");
+    return checks_before_analysis(
+               read(changed(mapped,
+                            "spectrum = \"site.csv\"\nss_g = 1.5\ns1_g = 0.6\n" + exception)),
+               7)
+        .at(2);
+  };
+  const std::string exception_2 = "hazard_analysis = \"exception 2 of 11.4.8\"\n";
+  EXPECT_TRUE(check("1.2", "").is_met);
+  EXPECT_FALSE(check("1.06", "").is_met);
+  EXPECT_EQ(check("1.2", exception_2).found, "0.900");
+  EXPECT_FALSE(check("1.2", exception_2).is_met);
+  EXPECT_TRUE(check("1.3333333333333335", exception_2).is_met);
+}
+
 // Only what is known here, and all of it from memory.
 TEST_F(ProjectChecks, conditions_of_both_standards_are_of_storeys_and_risk_too) {
   const Project project = read(changed("\"III\"", "\"IV\"", with("[building]", "storeys = 10")));
