@@ -122,7 +122,7 @@ class ModeTable {
              std::string("export Modal Participating Mass Ratios, and ") + add_participation);
     period_ = column({"period_s", "period"});
     share_ = column({"mass_share"});
-    if (!share_ && column({"ux", "uy"})) {
+    if (!share_ && (column({"ux"}) || column({"uy"}))) {
       check_axis(where, options_);
       share_ = column({*options_.axis == ModeAxis::x ? "ux" : "uy"});
     }

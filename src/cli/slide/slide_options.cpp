@@ -60,11 +60,13 @@ void take_case(SlideOptions& o, ProblemList& problems) {
   if (!o.given[parameter_index("friction", "across_mu")]) o.c.friction_across = o.c.friction;
 }
 
-/// The governing modes of a file, their periods over the first, which goes to `first_s`.
+/// The modes of a file, of more than six those that govern, their periods over the first, which
+/// goes to `first_s`.
 std::vector<Mode> modes_of(const std::string& name, std::optional<ModeAxis> axis, double& first_s,
                            bool& have_damping) {
   const ModeFile file = read_modes(name, {.axis = axis});
-  const std::vector<Mode> modes = governing_modes(file.modes);
+  const std::vector<Mode> modes =
+      file.modes.size() > most_modes ? governing_modes(file.modes) : file.modes;
   first_s = modes.front().period_s;
   have_damping = file.has_damping;
   return with_first_period(modes, 1.0);
