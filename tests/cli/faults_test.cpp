@@ -427,8 +427,8 @@ TEST_P(FaultyInput, is_reported_where_the_system_does_not_read_it) {
 class Printing : public FaultWalk {
  protected:
   Finished print(const std::string& script) {
+    prepare();  // the first time without WeasyPrint: no PDF is listed
     path_.put(script);
-    prepare();
     return run_shell(line());
   }
   static inline const std::string a_pdf_ = R"(printf '%%PDF-1.7\nxref\nstartxref\n9\n%%%%EOF\n')";
@@ -476,8 +476,8 @@ TEST_P(Printing, that_a_signal_ends_stops_the_calculation) {
 }
 
 TEST_P(Printing, into_a_folder_that_is_not_utf8_is_like_others) {
-  path_.put(a_pdf_);
   prepare();
+  path_.put(a_pdf_);
   const fs::path other = out_.string() + "\377";
   fs::remove_all(other);
   fs::rename(out_, other);
@@ -493,8 +493,8 @@ TEST_P(Printing, into_a_folder_that_is_removed_meanwhile_is_reported) {
 
 // That of a browser, say.
 TEST_P(Printing, does_not_write_over_a_pdf_of_the_user) {
-  path_.put(a_pdf_);
   prepare();
+  path_.put(a_pdf_);
   write(pdf_, "mine");
   expect_refused(run_shell(line()), {"product.pdf", "does not list it", "move it away"});
   EXPECT_EQ(read_file(pdf_), "mine");

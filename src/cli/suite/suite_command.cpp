@@ -52,9 +52,9 @@ void deliver(const SuiteOptions& o, const std::string& text) {
 
 /// The CSV alone; its title and notes go to standard error.
 void deliver_csv(const SuiteOptions& o, const Table& table) {
+  deliver(o, to_csv(table));
   say("{}\n", printable(table.title));
   for (const std::string& note : table.notes) say("{}\n", printable(note));
-  deliver(o, to_csv(table));
 }
 
 double in_g(double acceleration_mps2) { return acceleration_mps2 / standard_gravity_mps2; }
