@@ -66,7 +66,7 @@ TEST_F(ChartRun, prints_its_grid_when_asked_for_the_plan) {
 }
 
 TEST_F(ChartRun, says_that_one_component_acts) {
-  EXPECT_THAT(read("tables/chart.csv"), states("one horizontal component"));
+  EXPECT_THAT(read("tables/columns.csv"), states("one horizontal component"));
 }
 
 /// The small chart without what one axis alone has.

@@ -139,6 +139,7 @@ std::set<std::string> keys_listed(const std::string& out) {
   std::set<std::string> keys;
   std::string table;
   for (const std::string& line : lines_of(out)) {
+    if (line.starts_with("Not stated")) break;
     if (!line.starts_with("  ")) continue;
     std::istringstream words(line);
     if (line[2] != ' ') words >> table;

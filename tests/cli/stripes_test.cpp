@@ -65,7 +65,7 @@ TEST_F(Stripes, refuse_what_needs_a_record_at_all_levels) {
 
 TEST_F(Stripes, are_as_many_as_the_levels) {
   expect_refused(run_program({"check", study(replaced(stripes_study(), "[0.4, 1.5]", "[0.4]"))}),
-                 {"suite.stripes has 2 suites, and intensity.levels 1 levels"});
+                 {"suite.stripes has 2 suites, and intensity.levels 1 level"});
   expect_refused(run_program({"check", study(replaced(stripes_study(),
                                                       "stripes =", "file = \"a\"\nstripes ="))}),
                  {"suite.stripes and suite.file are both given"});

@@ -272,7 +272,7 @@ TEST_F(SuiteSelect, a_site_outside_the_range_of_the_model_is_warned_of) {
   const auto target = [](const char* vs30, const char* distance) {
     return succeeding({"suite", "target", "--period-s", "0.5", "--epsilon", "1", "--magnitude", "7",
                        "--distance-km", distance, "--vs30-mps", vs30})
-        .out;
+        .err;
   };
   EXPECT_THAT(target("120", "12"),
               states("WARNING", "V_S30 of 120 m/s is outside 150 to 1500 m/s", "BSSA14"));

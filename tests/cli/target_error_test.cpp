@@ -29,8 +29,8 @@ TEST_F(TargetError, ends_the_run_before_all_samples_are_run) {
   EXPECT_EQ(target.at("samples"), 8 * scrambles);
   EXPECT_TRUE(target.at("is_reached"));
   EXPECT_LE(target.at("error"), target.at("target_error"));
-  EXPECT_THAT(finished_.out, states(std::to_string(scrambles) + " of at most 64"));
-  EXPECT_THAT(read_file(out() / "report.html"), states("of at most 64"));
+  EXPECT_THAT(finished_.out, states("Of at most 64", std::to_string(scrambles)));
+  EXPECT_THAT(read_file(out() / "report.html"), states("Of at most 64"));
 }
 
 TEST_F(TargetError, a_killed_run_goes_on_and_ends_at_the_same_scramble) {
