@@ -11,7 +11,7 @@ void check_thresholds(const TomlTable& root, StudyConfig& study) {
   if (count > most)
     root.table("fragility")
         .report("thresholds_m", fmt::format("fragility.thresholds_m has {} clearances", count),
-                fmt::format("give {} at most: their curves cannot be told apart", most));
+                fmt::format("give {} at most: their curves cannot be distinguished", most));
 }
 
 }  // namespace
