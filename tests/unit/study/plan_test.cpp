@@ -384,11 +384,10 @@ TEST(plan, warns_of_records_that_are_scaled_by_more_than_five) {
   // Of the peak acceleration of a rigid roof the stronger component decides.
   config.intensity.measure = IntensityMeasure::ppa_g;
   config.quantities.at("building", "period_s") = fixed(0.0);
+  const Suite suite = small_suite();
   double peak_mps2 = 0.0;
-  for (const double a : small_suite().motions[0].horizontal_mps2[0])
-    peak_mps2 = std::max(peak_mps2, std::abs(a));
-  for (const double a : small_suite().motions[0].horizontal_mps2[1])
-    peak_mps2 = std::max(peak_mps2, std::abs(a));
+  for (const auto& component : suite.motions[0].horizontal_mps2)
+    for (const double a : component) peak_mps2 = std::max(peak_mps2, std::abs(a));
   config.intensity.levels = {0.5, 6.0 * peak_mps2 / standard_gravity_mps2};
   EXPECT_THAT(small_plan(config).warnings, warned("motion0 6 times at"));
 }
