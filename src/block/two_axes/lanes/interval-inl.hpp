@@ -25,10 +25,12 @@ struct LaneInterval {
   V h;
 };
 
-/// Where the row of a node begins in RestTable::rows.
-HWY_INLINE hn::Vec<Indices> RowStart(hn::Vec<Indices> node) {
+/// Where the row of a node begins, from GroundRows::nodes on. A lane of no history has no rows, and
+/// its node goes on: it reads where the nodes begin.
+HWY_INLINE hn::Vec<Indices> RowStart(hn::Vec<Indices> rows, hn::Vec<Indices> node) {
   static_assert(2 * row_terms == 16 + 4);
-  return hn::Add(hn::ShiftLeft<4>(node), hn::ShiftLeft<2>(node));
+  const auto in_rows = hn::Add(hn::ShiftLeft<4>(node), hn::ShiftLeft<2>(node));
+  return hn::IfThenZeroElse(hn::Eq(rows, hn::Zero(Indices())), hn::Add(rows, in_rows));
 }
 
 HWY_INLINE LaneInterval LoadInterval(const LaneStates& lanes, const GroundRows& ground, Here here) {
@@ -52,7 +54,7 @@ HWY_INLINE LaneInterval LoadInterval(const LaneStates& lanes, const GroundRows& 
           {here(m.ground_1), end_1 - here(m.ground_1)},
           {here(m.ground_2), end_2 - here(m.ground_2)},
           {here(m.w), end_w - here(m.w)},
-          {ground.nodes, hn::Add(hn::Load(di, lanes.rows + here.first), RowStart(node))},
+          {ground.nodes, RowStart(hn::Load(di, lanes.rows + here.first), node)},
           Number(ground.dt_s) * here(m.left)};
 }
 
