@@ -261,7 +261,8 @@ the true probability is 2, 10, 50 and 90 %. If the coverage is exactly 95 %, 2,0
 - *Cloud*: `glissade fit --cloud` (theory, 6.9), 1,000 sets of one motion a record, some without slip.
 - *`glissade fit`*: capacities with a log standard deviation of 0.4, 1,000 sets each: one or several rows a
   record (or records an event), correlated rows, censored capacities, counts, importance weights.
-  *Wide*: few records show anything, and the intervals may cover more than 97 %.
+  *Wide*: few records show anything, and the intervals may cover more than 97 %. *Bootstrap-t* over records
+  is not used: its log_std covers less, and it has no value where resamples have no fit.
 - *Percentiles*: the share above inverted (theory, 6.3). *Means, rates* (theory, 6.5): lognormal over
   records; *three in ten*: the others have the rate of the highest level. Percentiles of resamples
   covered 0.75 to 0.92 of the 84th percentile with 7 records, 0.70 to 0.90 of such means and rates.

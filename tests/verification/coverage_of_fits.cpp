@@ -35,6 +35,7 @@ struct Design {
   enum { complete, censored, counts, weighted } kind;
   double limit;       ///< highest intensity, in medians
   bool wide = false;  ///< may cover more than 97 %
+  int levels = 5;     ///< of counts, equally spaced up to the limit
 };
 
 constexpr std::array designs = {
@@ -52,6 +53,9 @@ constexpr std::array designs = {
            0.5, true},
     Design{"counts up to half the median, 50 rows a record, correlation 0.75", 50, 0.75,
            Design::counts, 0.5, true},
+    Design{"counts at 8 levels up to twice the median, one row a record", 1, 0.0, Design::counts, 2.0,
+           false, 8},
+    Design{"one row a record, censored at 0.6 of the median", 1, 0.0, Design::censored, 0.6, true},
     Design{"importance weights, one row a record", 1, 0.0, Design::weighted, infinity},
     Design{"importance weights by record, 10 rows each, correlation 0.2", 10, 0.2, Design::weighted,
            infinity},
@@ -61,9 +65,13 @@ constexpr std::array designs = {
 /// by half its deviation.
 constexpr double shift = 0.5;
 
-FitSummary fit_of(const Design& design, std::size_t records, std::uint64_t seed) {
+struct Data {
   std::vector<Bracket> capacities;
-  std::vector<Stripe> counts;
+  std::vector<Stripe> counts;  ///< fitted where there are any
+};
+
+Data data_of(const Design& design, std::size_t records, std::uint64_t seed) {
+  Data data;
   const double by_record = design.rows == 1 ? 1.0 : std::sqrt(design.correlation),
                by_row = std::sqrt(1 - by_record * by_record);
   for (std::size_t i = 0; i < records; ++i) {
@@ -71,21 +79,88 @@ FitSummary fit_of(const Design& design, std::size_t records, std::uint64_t seed)
     const bool weighted = design.kind == Design::weighted;
     const double a = z(0) - (weighted ? shift : 0.0),
                  weight = weighted ? std::exp(0.5 * (z(0) * z(0) - a * a)) : 1.0;
-    std::array<double, 5> exceed{};
+    std::vector<double> exceed(static_cast<std::size_t>(design.levels));
+    const auto level = [&](std::size_t j) {
+      return design.limit * static_cast<double>(j + 1) / design.levels;
+    };
     for (int row = 0; row < design.rows; ++row) {
       const double e = design.rows == 1 ? 0.0 : z(1 + static_cast<std::uint32_t>(row));
       const double c = std::exp(true_log_std * (by_record * a + by_row * e));
       for (std::size_t j = 0; j < exceed.size(); ++j)
-        exceed[j] += c < design.limit * static_cast<double>(j + 1) / 5 ? 1.0 : 0.0;
+        exceed[j] += c < level(j) ? 1.0 : 0.0;
       const bool reached = c < design.limit;
-      capacities.push_back({reached ? c : design.limit, reached ? c : infinity, weight, i});
+      data.capacities.push_back({reached ? c : design.limit, reached ? c : infinity, weight, i});
     }
     for (std::size_t j = 0; j < exceed.size() && design.kind == Design::counts; ++j)
-      counts.push_back({design.limit * static_cast<double>(j + 1) / 5,
-                        static_cast<double>(design.rows), exceed[j], 1.0, i});
+      data.counts.push_back({level(j), static_cast<double>(design.rows), exceed[j], 1.0, i});
   }
-  return design.kind == Design::counts ? fit_stripes(counts, Independent::records)
-                                       : fit_brackets(capacities, Independent::records);
+  return data;
+}
+
+FitSummary fit_of(const Data& data) {
+  return data.counts.empty() ? fit_brackets(data.capacities, Independent::records)
+                             : fit_stripes(data.counts, Independent::records);
+}
+
+/// Mean and ln standard deviation of complete ln capacities, with standard errors over the records.
+struct Moments {
+  double mean = 0.0, ln_std = 0.0, mean_error = 0.0, ln_std_error = 0.0;
+};
+
+/// @param rows ln capacities, by record
+Moments moments(const std::vector<const std::vector<double>*>& rows) {
+  const auto n = static_cast<double>(rows.size()), of_record = static_cast<double>(rows[0]->size());
+  Moments of;
+  for (const auto* record : rows)
+    for (const double y : *record) of.mean += y / (n * of_record);
+  std::vector<double> shifts, spreads;
+  double variance = 0.0;
+  for (const auto* record : rows) {
+    double shift = 0.0, spread = 0.0;
+    for (const double y : *record) {
+      shift += (y - of.mean) / of_record;
+      spread += (y - of.mean) * (y - of.mean) / of_record;
+    }
+    variance += spread / n;
+    shifts.push_back(shift);
+    spreads.push_back(spread);
+  }
+  of.ln_std = 0.5 * std::log(variance * n * of_record / (n * of_record - 1));
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    of.mean_error += shifts[i] * shifts[i] / (n * (n - 1));
+    of.ln_std_error += std::pow((spreads[i] / variance - 1) / 2, 2) / (n * (n - 1));
+  }
+  of.mean_error = std::sqrt(of.mean_error);
+  of.ln_std_error = std::sqrt(of.ln_std_error);
+  return of;
+}
+
+/// Bootstrap-t over records (Efron & Tibshirani 1993, An Introduction to the Bootstrap, 12.5) of
+/// median and log_std. Resamples of one record have no error and count at the ends.
+std::array<Interval, 2> bootstrap_t(const std::vector<Bracket>& capacities, std::size_t records,
+                                    std::uint64_t seed) {
+  constexpr std::size_t resamples = 399, tail = 10;  // 2.5 % of 400
+  std::vector<std::vector<double>> rows(records);
+  for (const Bracket& c : capacities) rows[c.record].push_back(std::log(c.low));
+  std::vector<const std::vector<double>*> chosen;
+  for (const auto& record : rows) chosen.push_back(&record);
+  const Moments of = moments(chosen);
+  std::array<std::vector<double>, 2> t;
+  for (std::uint32_t k = 0; k < resamples; ++k) {
+    for (std::size_t i = 0; i < records; ++i)
+      chosen[i] = &rows[static_cast<std::size_t>(static_cast<double>(records) *
+                                                 keyed_uniform(seed, RandomPurpose::test, i, k))];
+    const Moments again = moments(chosen);
+    t[0].push_back(again.mean_error > 0 ? (again.mean - of.mean) / again.mean_error : 0.0);
+    t[1].push_back(again.ln_std_error > 0 ? (again.ln_std - of.ln_std) / again.ln_std_error
+                                          : -infinity);
+  }
+  const auto interval = [&](std::vector<double>& ratios, double value, double error) {
+    std::ranges::sort(ratios);
+    return Interval{std::exp(value - error * ratios[resamples - tail]),
+                    std::exp(value - error * ratios[tail - 1])};
+  };
+  return {interval(t[0], of.mean, of.mean_error), interval(t[1], of.ln_std, of.ln_std_error)};
 }
 
 /// Displacements of one record: ln D = 0.8 (sqrt(0.7) a + sqrt(0.3) e), a by record and e by
@@ -148,7 +223,10 @@ struct Mean {
 };
 constexpr std::array means = {
     Mean{"mean of displacement", 0.8, -infinity, 0.93},
-    Mean{"mean of displacement", 1.0, -infinity, 0.93}, Mean{"annual rate", 1.4, -infinity, 0.93},
+    Mean{"mean of displacement", 1.0, -infinity, 0.93},
+    Mean{"annual rate", 1.4, -infinity, 0.93},
+    Mean{"annual rate, log_std 2", 2.0, -infinity, 0.91},
+    Mean{"annual rate, log_std 2.5", 2.5, -infinity, 0.89},
     Mean{"annual rate that three in ten records carry", 1.0, 0.5244, 0.88}};
 
 void add_means(CoverageCases& cases, std::size_t records) {
@@ -217,9 +295,15 @@ void add_coverage_of_fits(CoverageCases& cases) {
   for (const Design& design : designs) {
     for (const std::size_t records : {7, 20, 44}) {
       if (design.kind == Design::weighted && records == 7) continue;
-      test::CoverageShare median, log_std;
+      test::CoverageShare median, log_std, resampled_median, resampled_log_std;
       for (std::uint64_t i = 0; i < static_cast<std::uint64_t>(sets()); ++i) {
-        const FitSummary fit = fit_of(design, records, 700000 + i);
+        const Data data = data_of(design, records, 700000 + i);
+        if (design.kind == Design::complete) {
+          const auto resampled = bootstrap_t(data.capacities, records, 800000 + i);
+          resampled_median.add(resampled[0], 1.0);
+          resampled_log_std.add(resampled[1], true_log_std);
+        }
+        const FitSummary fit = fit_of(data);
         if (!fit.converged()) continue;
         median.add(fit.median_interval, 1.0);
         log_std.add(fit.log_std_interval, true_log_std);
@@ -233,6 +317,15 @@ void add_coverage_of_fits(CoverageCases& cases) {
                    .share = share.value(),
                    .high = design.wide ? 1.0 : 0.97,
                    .reference = design.wide ? "nominal 95 %, wide" : "nominal 95 %"});
+      if (design.kind != Design::complete) continue;
+      for (const auto& [quantity, share] : {std::pair("median", resampled_median),
+                                            std::pair("log_std", resampled_log_std)})
+        cases.add({.group = "bootstrap-t over records, complete capacities (not used)",
+                   .records = records,
+                   .data = design.name,
+                   .quantity = std::string(quantity) + ", bootstrap-t",
+                   .share = share.value(),
+                   .low = 0.90});
     }
   }
 }

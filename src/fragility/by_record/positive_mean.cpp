@@ -42,10 +42,10 @@ Interval positive_mean_interval(const std::vector<double>& values, double level)
   const double error = std::sqrt(squares / (n - 1) / n), fixed = least / mean,
                reach = t(std::max(2.0, effective_number(excess) - 1)) * error;
   double low = -reach, high = std::log(fixed + (1.0 - fixed) * std::exp(reach / (1.0 - fixed)));
-  if (fixed > 1e-3 && n > 4) {
+  if (fixed > 1e-6 && n > 4 && std::ranges::count(values, least) == 1) {
     const Interval cox = cox_interval(scaled, t(n - 1));
-    low = std::min(low, std::max(cox.low, 2.0 * low));
-    high = std::max(high, std::min(cox.high, 2.0 * high));
+    low = std::min(low, std::max(cox.low, 3.0 * low));
+    high = std::max(high, std::min(cox.high, 3.0 * high));
   }
   return {mean * std::exp(low), mean * std::exp(high)};
 }
