@@ -17,7 +17,7 @@ namespace glissade {
 struct ImportOptions {
   std::vector<std::filesystem::path> inputs;  ///< files, archives, folders with all below them
   std::optional<std::filesystem::path> report;
-  RecordFileOptions missing;  ///< units_if_not_stated and dt_s of files that do not state theirs
+  RecordFileOptions missing;  ///< units_if_not_stated; dt_s, which no file may contradict
   bool trim = false;          ///< to the end of the shortest component
   bool resample = false;      ///< to the shortest step of the components
   bool keep_single = false;   ///< records with one horizontal
@@ -44,7 +44,7 @@ struct FoundComponent {
   std::vector<std::string> notes, faults;
   std::string sha256;                     ///< of the file, in an archive of the member
   std::uint64_t samples_hash = 0;         ///< of step and samples
-  std::optional<double> stated_dt_s;      ///< by the options, as the file does not state it
+  std::optional<double> stated_dt_s;      ///< by the options, which the file does not contradict
   std::optional<double> counts_per_mps2;  ///< by StationXML among the files
 
   /// Without folders.

@@ -26,7 +26,8 @@ const char* processing(const RecordHeader& header) {
 
 void MissingOptions::add_to(CLI::App& command) {
   command.add_option("--units", units, "units of files that do not state theirs: g, m/s2, cm/s2");
-  command.add_option("--dt-s", dt_s, "step of files that do not state theirs");
+  command.add_option("--dt-s", dt_s,
+                     "step of files that do not state theirs, or print it with too few digits");
 }
 
 RecordFileOptions MissingOptions::of_files() const {

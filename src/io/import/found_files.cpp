@@ -153,19 +153,8 @@ std::vector<FoundComponent> read_components(const FileToRead& file,
   if (!format.is_binary && is_search_report(text.text))
     refuse_record(file.shown(), "is a report of a search", "give it with --report " + file.shown());
   RecordFileOptions options = missing;
-  options.dt_s = std::nullopt;
-  std::optional<double> stated_dt_s;
   options.component = "1";
-  const auto read = [&] {
-    try {
-      return format.read(text, options);
-    } catch (const InputError&) {
-      if (!missing.dt_s || options.dt_s) throw;
-      options.dt_s = stated_dt_s = missing.dt_s;
-      return format.read(text, options);
-    }
-  };
-  std::vector<FileComponent> components = read();
+  std::vector<FileComponent> components = format.read(text, options);
   if (components.size() > most_components)
     refuse_record(file.shown(), fmt::format("has {} components", components.size()),
                   "name those of the record in a suite file: file#name");
@@ -173,12 +162,12 @@ std::vector<FoundComponent> read_components(const FileToRead& file,
   for (std::size_t i = 0; i < components.size(); ++i) {
     if (components[i].record.acceleration_mps2.empty()) {  // a table is read column by column
       options.component = std::to_string(i + 1);
-      components[i] = read()[i];
+      components[i] = format.read(text, options)[i];
     }
     check_readable(components[i].record);
     found.push_back(
         found_component(file, format, components[i], address_of(text.path, components, i)));
-    found.back().stated_dt_s = stated_dt_s;
+    found.back().stated_dt_s = missing.dt_s;
   }
   const std::string sha256 = sha256_of(file.bytes);
   for (FoundComponent& component : found) component.sha256 = sha256;

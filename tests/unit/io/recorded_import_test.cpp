@@ -152,8 +152,11 @@ void add_sample_file(const fs::path& file, SampleRows& rows) {
   ImportOptions options;
   options.inputs = {file};
   options.missing.units_if_not_stated = AccelerationUnits::cmps2;
-  options.missing.dt_s = 0.01;
-  const SuiteImport found = import_suite(options);
+  SuiteImport found = import_suite(options);
+  if (found.components.empty()) {  // states no step, or is refused for another reason
+    options.missing.dt_s = 0.01;
+    found = import_suite(options);
+  }
   if (found.components.empty() && ++rows.unread == 1)
     rows.reason = found.left_out.front().reason.substr(0, found.left_out.front().reason.find(';'));
   for (const FoundComponent& c : found.components) {

@@ -159,6 +159,21 @@ TEST_F(SuiteImporter, a_bad_file_is_left_out_with_its_reason_and_stops_no_other)
               HasSubstr("/nowhere"));
 }
 
+TEST_F(SuiteImporter, a_step_that_a_file_contradicts_leaves_it_out_and_a_bad_value_is_its_reason) {
+  write("A-000", column(1, 200, 0.005));
+  write("B-000", "# units: g\n" + lines_of_samples(motion_g(2)));
+  write("B-090", "# units: g\n" + lines_of_samples(motion_g(3)));
+  write("C-000", "# units: g\n0.1\n0.2\n0.3x\n");
+  ImportOptions options = by_names();
+  options.missing.dt_s = 0.01;
+  const SuiteImport found = import(options);
+  ASSERT_EQ(found.records.size(), 1u) << reasons(found);
+  EXPECT_EQ(load(found).motions[0].dt_s, 0.01);
+  EXPECT_EQ(found.left_out.size(), 2u);
+  EXPECT_THAT(reasons(found), test::states("A-000: the header's DT = 0.005 is not dt_s = 0.01",
+                                           "C-000: ", "'0.3x'"));
+}
+
 TEST_F(SuiteImporter, duplicates_are_named_and_left_out) {
   write_triple();
   write("copy/RSN7_SOME_PLC000.AT2", at2("Somewhere, 1/2/1999, Place, 0", 1));
