@@ -25,16 +25,36 @@ namespace {
 
 constexpr std::size_t vertical_at = 2;
 
+/// Letters and digits, lower case.
+std::string plain_location(const std::string& location) {
+  std::string plain = lower_case(location);
+  std::erase_if(plain, [](unsigned char c) { return std::isalnum(c) == 0; });
+  return plain;
+}
+
+/// As headers of CSMIP, CESMD and COSMOS write it: "FREEFIELD", "Free Field, 30 m W", "FF".
+bool is_free_field(const std::string& location) {
+  const std::string plain = plain_location(location);
+  return plain == "ff" || plain.find("freefield") != plain.npos;
+}
+
+/// "Ground Level", "Surface"; not "Ground floor: center", which is of a structure.
+bool is_ground_level(const std::string& location) {
+  constexpr std::array names = {"ground", "groundlevel", "groundsurface", "surface", "grade"};
+  return std::ranges::find(names, plain_location(location)) != names.end();
+}
+
 /// A component with what its header, the report and its name say of where it belongs.
 struct ComponentPiece {
   std::size_t component;
   const FoundComponent* found;
-  SplitName name;  ///< of its file
-  std::optional<ComponentDirection> direction;
+  SplitName name = {};  ///< of its file
+  std::optional<ComponentDirection> direction = {};
   const ReportRow* row = nullptr;
-  std::optional<std::size_t> place_in_row;  ///< of its file in the row
+  std::optional<std::size_t> place_in_row = {};  ///< of its file in the row
+  bool is_beside_structure = false;              ///< its station has channels of one
   /// Of its record; where that has too many components, the next.
-  std::string key, state, narrow_key;
+  std::string key = {}, state = {}, narrow_key = {};
 };
 using Pieces = std::vector<ComponentPiece>;
 
@@ -97,7 +117,7 @@ bool is_other(const std::optional<ComponentDirection>& by_name,
 
 ComponentPiece piece_of(std::size_t component, const FoundComponent& found,
                         const ReportIndex& report) {
-  ComponentPiece piece{component, &found, {}, {}, nullptr, {}, "", "", ""};
+  ComponentPiece piece{component, &found};
   const bool is_one_of_several = !found.address.empty();
   const std::string stem = stem_of(found.file_name());
   report.look_up(piece);
@@ -265,12 +285,13 @@ void compare_steps(ImportedRecord& record, const Pieces& pieces, const ImportOpt
   if (options.resample && step(*shortest) < step(*longest)) record.step_s = step(*shortest);
 }
 
-/// Of a channel below the roof: of the ground, or where a structure meets it.
+/// Below the roof: of the ground, or where a structure meets it.
 bool is_at_ground(const std::string& location) {
   const std::string lower = lower_case(location);
-  return std::ranges::any_of(
-      std::array{"ground", "free", "embankment", "base", "footing", "foundation"},
-      [&](const char* word) { return lower.find(word) != lower.npos; });
+  return is_free_field(location) || is_ground_level(location) ||
+         std::ranges::any_of(
+             std::array{"ground", "free", "embankment", "base", "footing", "foundation"},
+             [&](const char* word) { return lower.find(word) != lower.npos; });
 }
 
 void warn_of_names_and_locations(ImportedRecord& record, const Pieces& pieces, bool of_roof) {
@@ -284,7 +305,10 @@ void warn_of_names_and_locations(ImportedRecord& record, const Pieces& pieces, b
   if (!suggested.empty())
     record.warnings.push_back("directions that only the names of its files suggest: " + suggested);
   for (const std::string& location : locations)
-    if (of_roof && is_at_ground(location))
+    if (!of_roof && pieces.front().is_beside_structure && is_ground_level(location))
+      record.warnings.push_back(in_quotes(location) +
+                                " may be the base of the structure whose channels are left out");
+    else if (of_roof && is_at_ground(location))
       record.warnings.push_back("a motion of the roof is taken at " + in_quotes(location) +
                                 ", which is no roof");
   if (locations.size() > 1)
@@ -509,11 +533,15 @@ Pieces meant_pieces(const Pieces& pieces, const ImportOptions& options, SuiteImp
     roof.emplace(*options.roof);
     roof->check(pieces);
   }
+  std::set<std::string> stations_of_structures;
+  for (const ComponentPiece& piece : pieces)
+    if (piece.found->is_of_structure()) stations_of_structures.insert(piece.found->header.station);
   Pieces meant;
   for (const ComponentPiece& piece : pieces) {
     const RecordHeader& header = piece.found->header;
     if (roof ? roof->have(header) : !piece.found->is_of_structure()) {
       meant.push_back(piece);
+      meant.back().is_beside_structure = stations_of_structures.contains(header.station);
       if (roof && roof->are_numbers()) meant.back().narrow_key = "numbered";
     } else if (header.location.empty()) {
       found.left_out.push_back(
@@ -532,9 +560,8 @@ Pieces meant_pieces(const Pieces& pieces, const ImportOptions& options, SuiteImp
 }  // namespace
 
 bool FoundComponent::is_of_structure() const {
-  std::string at = lower_case(header.location);
-  std::erase_if(at, [](char c) { return c == ' ' || c == '-'; });
-  return !at.empty() && at != "ground" && at.find("freefield") == std::string::npos;
+  const std::string& at = header.location;
+  return !at.empty() && !is_free_field(at) && !is_ground_level(at);
 }
 
 void pair_components(SuiteImport& found, const SearchReport* report, const ImportOptions& options) {

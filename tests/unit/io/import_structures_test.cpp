@@ -45,6 +45,24 @@ TEST_F(StructureImporter, the_free_field_is_a_record_and_every_other_file_has_it
                            "CHAN10.V2: channel 10 at 'Ground floor' of a structure", "--roof"));
 }
 
+/// Of CSMIP, CESMD and COSMOS; also in lower case. A ground level beside a structure is warned of.
+TEST_F(SuiteImporter, names_of_the_free_field_are_ground_motion) {
+  const auto channels_at = [&](const std::string& location) {
+    write("C1.V2", csmip_v2("Chan 1: 90 Deg (Sta Chn: 1) Location: " + location, 1));
+    write("C2.V2", csmip_v2("Chan 2: 360 Deg (Sta Chn: 2) Location: " + location, 2));
+    return import();
+  };
+  for (const char* location : {"Ground Level", "FF", "Surface", "Free Field", "Freefield",
+                               "FREE-FIELD: 30 m W", "ground surface", "ff", "ground"})
+    EXPECT_EQ(channels_at(location).records.size(), 1u) << location;
+  for (const char* location : {"Ground floor", "Ground Level: N wall", "Roof surface", "1st FF"})
+    EXPECT_THAT(channels_at(location).records, IsEmpty()) << location;
+  write("C3.V2", csmip_v2("Chan 3: 360 Deg (Sta Chn: 3) Location: Roof", 3));
+  EXPECT_THAT(channels_at("Free field").records.at(0).warnings, IsEmpty());
+  EXPECT_THAT(channels_at("Ground level").records.at(0).warnings,
+              ElementsAre(HasSubstr("may be the base of the structure")));
+}
+
 TEST_F(StructureImporter, a_location_is_a_motion_of_a_roof) {
   const SuiteImport found = import_roof("MEZZanine");
   ASSERT_EQ(found.records.size(), 1u) << reasons(found);
