@@ -412,13 +412,24 @@ std::map<std::string, Pieces> by_key(const Pieces& pieces, std::string Component
   return groups;
 }
 
-void report_unused_rows(const SearchReport& report, const Pieces& pieces, SuiteImport& found) {
-  for (const ReportRow& row : report.rows) {
-    if (row.rsn.empty()) continue;  // a flatfile has all records of its data base
-    if (std::ranges::find(pieces, &row, &ComponentPiece::row) != pieces.end()) continue;
-    found.left_out.push_back({"RSN" + row.rsn + " of the report",
-                              "none of its files is here: " + in_quotes(row.files[0]) + " ..."});
-  }
+/// Records of PEER's report without files; a flatfile has all records of its data base.
+void report_missing_records(const SearchReport& report, const Pieces& pieces, SuiteImport& found) {
+  std::set<std::string> seen{""};
+  for (const ComponentPiece& piece : pieces)
+    seen.insert({piece.row == nullptr ? "" : piece.row->rsn,
+                 record_sequence_number(piece.found->file_name())});
+  std::vector<std::string> missing, wanted = report.searched_rsns;
+  for (const ReportRow& row : report.rows) wanted.push_back(row.rsn);
+  for (const std::string& rsn : wanted)
+    if (seen.insert(rsn).second) missing.push_back("RSN" + rsn);
+  if (missing.empty()) return;
+  constexpr std::size_t most = 100;
+  const std::size_t count = missing.size();
+  missing.resize(std::min(count, most));
+  found.left_out.push_back(
+      {report.path.string(),
+       fmt::format("{} of its records {} no file here: {}{}", count, count == 1 ? "has" : "have",
+                   fmt::join(missing, ", "), count > most ? " ..." : "")});
 }
 
 /// Of records of one event and station with the same directions: those that are not processed
@@ -585,7 +596,7 @@ void pair_components(SuiteImport& found, const SearchReport* report, const Impor
       is_one_record(part) || by + 1 == narrower.size() ? take(part) : divide(part, by + 1);
   };
   divide(pieces, 0);
-  if (report != nullptr) report_unused_rows(*report, pieces, found);
+  if (report != nullptr) report_missing_records(*report, pieces, found);
   std::ranges::sort(found.records, {}, &ImportedRecord::id);
   compare_records(found);
 }

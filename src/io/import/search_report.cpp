@@ -167,7 +167,7 @@ bool is_search_report(std::string_view text) {
 
 SearchReport read_search_report(const TextFile& file) {
   refuse_no_text(file.path, file.text);
-  SearchReport report{file.path, {}, {}};
+  SearchReport report{file.path, {}, {}, {}};
   LineReader lines(file.text);
   bool is_known = false;
   while (lines.next()) {
@@ -175,7 +175,11 @@ SearchReport read_search_report(const TextFile& file) {
         lines.line().find("event_id") == std::string_view::npos)
       continue;
     const char separator = separator_of(lines.line());
-    const ReportColumns columns(quoted_cells(lines.line(), separator));
+    const Cells heading = quoted_cells(lines.line(), separator);
+    if (trimmed(heading.front()) == "Record Sequence Number:")  // of what was searched
+      for (const std::string_view cell : heading)
+        if (parse_number(cell)) report.searched_rsns.push_back(plain_line(cell));
+    const ReportColumns columns(heading);
     const bool is_peer = is_peer_heading(columns);
     if (!is_peer && !is_esm_heading(columns)) continue;
     is_known = true;

@@ -30,6 +30,7 @@ struct ReportRow {
 struct SearchReport {
   std::filesystem::path path;
   std::vector<ReportRow> rows;
+  std::vector<std::string> searched_rsns;  ///< of PEER, as the search named them
   std::vector<std::string> warnings;
 };
 

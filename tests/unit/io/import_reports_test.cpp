@@ -39,10 +39,19 @@ TEST_F(SuiteImporter, a_report_of_peer_gives_magnitude_distance_site_factor_and_
   EXPECT_THAT(found.warnings, IsEmpty());
   // The copy in the folder was not given as the report; RSN9 has no file, and none is opened.
   EXPECT_THAT(reasons(found),
-              test::states("give it with --report", "RSN9 of the report", "../../etc/passwd"));
+              test::states("give it with --report", "1 of its records has no file here: RSN9\n"));
   const Suite suite = load(found);
   EXPECT_EQ(suite.motions[0].scale, 1.7);
   EXPECT_THAT(suite.motions[0].notes, IsEmpty());
+}
+
+/// NGA-West2 drops from its table what was searched and is not in the data base.
+TEST_F(SuiteImporter, records_that_were_searched_and_have_no_file_are_named_in_one_line) {
+  write_triple();
+  write("RSN12_SOME_OTH000.AT2", at2("Somewhere, 1/2/1999, Other, 0", 4));
+  EXPECT_THAT(reasons(import_with_report(
+                  std::string("Record Sequence Number:, 7, 829, 12, 829, 9\n") + peer_report)),
+              HasSubstr("2 of its records have no file here: RSN829, RSN9\n"));
 }
 
 TEST_F(SuiteImporter, a_name_in_a_report_may_hold_quotes_and_stand_after_a_tab) {
@@ -95,7 +104,7 @@ TEST_F(SuiteImporter, a_report_that_a_spreadsheet_saved_again_is_read_as_before)
     EXPECT_EQ(found.records[0].distance_km, 15.82);
     EXPECT_EQ(found.records[0].scale, 1.7);
     EXPECT_THAT(reasons(found), testing::Not(HasSubstr("UNSCALED")));
-    EXPECT_THAT(reasons(found), testing::Not(HasSubstr("RSN of the report")));
+    EXPECT_THAT(reasons(found), HasSubstr("1 of its records has no file here: RSN9\n"));
   }
 }
 
