@@ -41,18 +41,18 @@ struct SuiteOptions {
   MissingOptions missing;
 };
 
-/// To the file named by --out, else to standard output.
-void deliver(const SuiteOptions& o, const std::string& text) {
-  if (o.out.empty()) {
+/// To the file, else to standard output.
+void deliver(const std::string& out, const std::string& text) {
+  if (out.empty()) {
     put("{}", text);
   } else {
-    write_text_file(o.out, text);
+    write_text_file(out, text);
   }
 }
 
 /// The CSV alone; its title and notes go to standard error.
-void deliver_csv(const SuiteOptions& o, const Table& table) {
-  deliver(o, to_csv(table));
+void deliver_csv(const std::string& out, const Table& table) {
+  deliver(out, to_csv(table));
   say("{}\n", printable(table.title));
   for (const std::string& note : table.notes) say("{}\n", printable(note));
 }
@@ -155,7 +155,7 @@ void spectra(const SuiteOptions& o) {
     for (const double period : periods) mce_g.push_back(target.mce_sa_g(period));
     add("target_mce", mce_g);
   }
-  deliver_csv(o, table);
+  deliver_csv(o.out, table);
 }
 
 ScalingRule rule_of(const SuiteOptions& o) {
@@ -231,9 +231,7 @@ void scale(const SuiteOptions& o) {
   for (std::size_t i = 0; i < suite.motions.size(); ++i)  // as suite files keep them
     table.add({suite.motions[i].id, std::round(1e4 * scaling.factors[i]) / 1e4});
   if (!o.out.empty()) write_scaled(o, suite, table, scaling);
-  SuiteOptions printed = o;
-  printed.out.clear();
-  deliver_csv(printed, table);
+  deliver_csv("", table);
 }
 
 void put_target(const SuiteOptions& o, const ConditionalOptions& conditional) {
@@ -242,13 +240,13 @@ void put_target(const SuiteOptions& o, const ConditionalOptions& conditional) {
   table.title = conditional.sentence(target);
   for (const std::string& warning : conditional.warnings(target))
     table.notes.push_back("WARNING: " + warning);
-  deliver_csv(o, table);
+  deliver_csv(o.out, table);
 }
 
 void design(const SuiteOptions& o) {
   const std::string origin =
       fmt::format("Made by: glissade suite design --level {} --seed {}", o.level, o.seed);
-  deliver(o, recipe_toml(design_suite(o.level, o.seed), {origin}));
+  deliver(o.out, recipe_toml(design_suite(o.level, o.seed), {origin}));
 }
 
 }  // namespace
