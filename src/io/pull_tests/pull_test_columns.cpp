@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "pull_tests/pull_test_columns.hpp"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <algorithm>
+#include <set>
 #include <string>
 
 #include "glissade/core/error.hpp"
@@ -46,23 +50,48 @@ std::string joined(const std::vector<std::string>& names) {
 }
 
 const KnownName* find_name(const std::string& name) {
-  const auto at = std::find_if(known_names.begin(), known_names.end(),
-                               [&](const KnownName& known) { return name == known.name; });
+  const auto at = std::ranges::find(known_names, name, &KnownName::name);
   return at == known_names.end() ? nullptr : &*at;
 }
 
-std::string suggestion_for(const std::string& name) {
-  if (name == "mu")
-    return "friction of each test, evaluated already, is a file with a column mu, and test and "
-           "direction if wanted, alone";
+/// The known name that a word was to be, or nullptr.
+const KnownName* nearest_name(const std::string& word) {
   std::vector<std::string> names;
   for (const KnownName& known : known_names) names.emplace_back(known.name);
-  const std::string nearest = nearest_word(name, names);
-  return nearest.empty() ? "known are " + joined(names) +
-                               "; or, of friction that is evaluated already, mu, test and "
-                               "direction alone; leave others out"
-                         : "did you mean " + nearest + "?";
+  return find_name(nearest_word(word, names));
 }
+
+/// One problem for all names that are not known and all columns that are therefore missing.
+class HeaderFaults {
+ public:
+  void add_unknown(std::string_view cell) {
+    const KnownName* meant = nearest_name(std::string(cell));
+    unknown_.push_back(in_quotes(cell) +
+                       (meant ? " (" + joined(names_of(meant->column)) + "?)" : ""));
+    if (meant) meant_.insert(meant->column);
+  }
+  void check(const PullTestHeader& header, const std::string& where, ProblemList& problems) const {
+    std::vector<std::string> missing;
+    for (const PullTestColumn needed : {test, direction, displacement, force, normal})
+      if (!header[needed] && !meant_.contains(needed)) missing.push_back(joined(names_of(needed)));
+    const auto are = [](const std::vector<std::string>& names, const char* what) {
+      return fmt::format("{} {} {} {}", names.size() == 1 ? "the column" : "the columns",
+                         fmt::join(names, "; "), names.size() == 1 ? "is" : "are", what);
+    };
+    std::string what = unknown_.empty() ? "" : are(unknown_, "not known");
+    if (!missing.empty()) what += (what.empty() ? "" : ", and ") + are(missing, "missing");
+    if (!what.empty())
+      problems.add({where, what,
+                    "the first line names test, direction, time_s (if logged), displacement, force "
+                    "and normal force, with units; or, of friction that is evaluated already, mu, "
+                    "test and direction alone",
+                    ""});
+  }
+
+ private:
+  std::vector<std::string> unknown_;
+  std::set<PullTestColumn> meant_;
+};
 
 }  // namespace
 
@@ -71,27 +100,20 @@ PullTestHeader read_pull_test_header(const std::string& where, std::string_view 
   refuse_separators(where, line, ";\t");
   PullTestHeader header;
   ProblemList problems;
+  HeaderFaults faults;
   for (std::size_t i = 0; i < cells.size(); ++i) {
-    const std::string name = lower_case(cells[i]);
-    const KnownName* known = find_name(name);
+    const KnownName* known = find_name(lower_case(cells[i]));
     if (known == nullptr) {
-      problems.add(
-          {where, "the column " + in_quotes(cells[i]) + " is not known", suggestion_for(name), ""});
+      faults.add_unknown(cells[i]);
       continue;
     }
     auto& column = header.columns[static_cast<std::size_t>(known->column)];
-    if (column) {
+    if (column)
       problems.add({where, joined(names_of(known->column)) + " is there more than once",
                     "keep one of them", ""});
-    }
     column = PullTestHeader::Column{i, known->si_per_unit};
   }
-  for (const PullTestColumn needed : {test, direction, displacement, force, normal}) {
-    if (!header[needed]) {
-      problems.add({where, "the column " + joined(names_of(needed)) + " is missing",
-                    "the first line names the columns, separated by commas", ""});
-    }
-  }
+  faults.check(header, where, problems);
   problems.throw_if_any();
   return header;
 }

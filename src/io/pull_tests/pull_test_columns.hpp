@@ -27,8 +27,8 @@ struct PullTestHeader {
   }
 };
 
-/// A header line: names in any order and any case. Throws InputError for every column that is
-/// missing, unknown or there twice.
+/// A header line: names in any order and any case. Throws InputError, with one problem for the
+/// columns that are unknown or missing, and one for each that is there twice.
 PullTestHeader read_pull_test_header(const std::string& where, std::string_view line,
                                      const std::vector<std::string_view>& cells);
 

@@ -141,13 +141,22 @@ class Sheet {
  public:
   explicit Sheet(DirectionNames& directions) : directions_(directions) {}
 
-  /// Whether the header is that of a sheet, not of pull tests as logged.
-  bool take_header(const Cells& names) {
+  /// Whether the header is that of a sheet, not of pull tests as logged. InputError where it has
+  /// mu and other columns, or one twice.
+  bool take_header(const std::string& where, const Cells& names) {
+    std::vector<std::string> others;
     for (std::size_t i = 0; i < names.size(); ++i) {
       const auto column = std::ranges::find(columns_, lower_case(names[i]), &Column::name);
-      if (column == columns_.end() || column->at) return false;
-      column->at = i;
+      if (column == columns_.end() || column->at)
+        others.push_back(in_quotes(names[i]));
+      else
+        column->at = i;
     }
+    if (columns_[0].at && !others.empty())
+      throw InputError({where, fmt::format("has mu, and beside it {}", fmt::join(others, ", ")),
+                        "friction of tests that are evaluated has the columns mu, test and "
+                        "direction, each once: leave the others out",
+                        ""});
     return columns_[0].at.has_value();
   }
 
@@ -195,8 +204,8 @@ std::vector<EvaluatedTests> read_sheet(const TextFile& file, DirectionNames& dir
            {.split = comma_cells,
             .shown_of_a_kind = 1,
             .begin_with = pull_test_beginning,
-            .take_header = [&](const auto&, const auto&,
-                               const auto& names) { return sheet.take_header(names); },
+            .take_header = [&](const auto& where, const auto&,
+                               const auto& names) { return sheet.take_header(where, names); },
             .take_row = [&](const auto& cells, const auto&) { return sheet.take_row(cells); }});
   return sheet.tests;
 }

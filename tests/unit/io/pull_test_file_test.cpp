@@ -129,6 +129,20 @@ TEST(pull_test_file, needs_its_columns_each_once) {
   EXPECT_THAT(lines("1,a,0,0,0,9\n"), testing::Each(1));
 }
 
+TEST(pull_test_file, has_one_problem_for_a_header_that_is_not_understood) {
+  const TemporaryFolder folder;
+  expect_refusals(
+      [&](const std::string& text) { read_pull_test_results(folder.write("tests.csv", text), {}); },
+      {{"mu,speed_m/s\n0.5,0.1\n", "tests.csv:1", {"has mu", "'speed_m/s'", "leave"}},
+       {"mu,test,Mu\n0.5,1,0.1\n", "tests.csv:1", {"'Mu'", "each once"}},
+       {"force_N,weight_N\n50,100\n",
+        "tests.csv:1",
+        {"'weight_N' is not known", "the columns test; direction; displacement_m", "normal_n"}},
+       {"test,direction,displacement_m,force_nn,normal_n\n1,a,0,0,9\n",
+        "tests.csv:1",
+        {"the column 'force_nn' (force_n, force_kn or force_lbf?) is not known;"}}});
+}
+
 TEST(pull_test_file, with_semicolons_or_without_rows_is_refused_for_that_alone) {
   expect_refusals(read, {{"test;direction;mu\n1;along;0.5\n", "tests.csv:1", {"semicolons"}},
                          {"", "tests.csv", {}},
