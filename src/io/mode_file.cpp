@@ -96,6 +96,14 @@ Cells split_cells(std::string_view line) {
                                                           : ',');
 }
 
+/// "periodsec" of "Period (sec)" and "period_sec".
+std::string plain_heading(std::string_view name) {
+  std::string plain = lower_case(name);
+  std::erase_if(
+      plain, [](char c) { return std::string_view(" _()[],").find(c) != std::string_view::npos; });
+  return plain;
+}
+
 /// A table with a heading, of an engineer or exported.
 class ModeTable {
  public:
@@ -105,10 +113,12 @@ class ModeTable {
     const auto refuse = [&](const std::string& what, const std::string& remedy) {
       throw InputError({where, what, remedy, ""});
     };
-    const auto column = [&](std::initializer_list<const char*> known) {
+    std::vector<bool> is_read(names.size());
+    const auto column = [&](std::initializer_list<std::string_view> known) {
       std::optional<std::size_t> found;
       for (std::size_t i = 0; i < names.size(); ++i) {
-        if (std::ranges::find(known, lower_case(names[i])) == known.end()) continue;
+        if (std::ranges::find(known, plain_heading(names[i])) == known.end()) continue;
+        is_read[i] = true;
         if (found)
           refuse(fmt::format("has the columns {} and {}, which are the same number",
                              in_quotes(names[*found]), in_quotes(names[i])),
@@ -117,19 +127,19 @@ class ModeTable {
       }
       return found;
     };
-    if (column({"modal mass", "modalmass"}))
+    if (column({"modalmass"}))
       refuse("is the table Modal Participation Factors, which has no mass shares",
              std::string("export Modal Participating Mass Ratios, and ") + add_participation);
-    period_ = column({"period_s", "period"});
-    share_ = column({"mass_share"});
+    period_ = column({"period", "periods", "periodsec", "ts", "tsec"});
+    share_ = column({"massshare"});
     if (!share_ && (column({"ux"}) || column({"uy"}))) {
       check_axis(where, options_);
       share_ = column({*options_.axis == ModeAxis::x ? "ux" : "uy"});
     }
     participation_ = column({"participation"});
     factor_ = column({"factor"});
-    shape_ = column({"roof_shape"});
-    damping_ = column({"damping", "damping_ratio"});
+    shape_ = column({"roofshape"});
+    damping_ = column({"damping", "dampingratio"});
     case_ = column({"case", "outputcase"});
     for (const std::string_view name : names) {
       const std::string lower = lower_case(name);
@@ -138,12 +148,20 @@ class ModeTable {
         refuse("has the column " + in_quotes(name) + ", which is not read",
                "name it damping_ratio, with ratios as 0.05, or leave it out");
     }
+    std::string others;
+    for (std::size_t i = 0; i < names.size(); ++i)
+      if (!is_read[i]) others += (others.empty() ? "; not read: " : ", ") + in_quotes(names[i]);
     if (!period_ || !share_)
-      refuse(fmt::format("has no column {}", period_ ? "mass_share, or UX and UY" : "period_s"),
-             "begin with period_s,participation,mass_share, or with the heading of Modal "
-             "Participating Mass Ratios of ETABS or SAP 2000");
+      refuse(fmt::format("has no column {}{}",
+                         period_  ? "mass_share, or UX and UY"
+                         : share_ ? "period_s"
+                                  : "period_s and no mass_share, or UX and UY",
+                         others),
+             "read are period_s, or T (s) or Period; mass_share, or UX and UY; participation, or "
+             "factor and roof_shape; damping_ratio, as of Modal Participating Mass Ratios of ETABS "
+             "or SAP 2000");
     if (!participation_ && !(factor_ && (shape_ || !options_.roof_shape.empty())))
-      refuse("has mass shares, but no participation at the array", add_participation);
+      refuse("has mass shares, but no participation at the array" + others, add_participation);
   }
 
   RowTrouble take_row(const Cells& cells) {

@@ -167,6 +167,17 @@ TEST(Building, refuses_what_is_none_and_warns_of_missing_modes) {
       {"--modes", folder.write("p.csv", "period_s,participation,mass_share,damping\n0.5,1,1,5\n")},
       "5 %");
   refused({"--modes", folder.write("n.csv", "period_s,participation\n0.5,1\n")}, "mass_share");
+  refused({"--modes", folder.write("f.csv", "f (Hz),participation,mass_share\n2,1,1\n")},
+          "has no column period_s; not read: 'f (Hz)'; read are period_s, or T (s)");
+  for (const char* period : {"T (s)", "T_s", "Period [sec]", "period_sec"})
+    EXPECT_EQ(building_json({"--modes", folder.write("t.csv", std::string(period) +
+                                                                  ",participation,mass_share\n"
+                                                                  "0.5,1.2,0.9\n")})
+                  .at("modes")
+                  .at(0)
+                  .at("period_s"),
+              0.5)
+        << period;
   for (const char* name : {"damping %", "Damping [%]", "xi"})
     refused({"--modes", folder.write("d.csv", std::string("period_s,participation,mass_share,") +
                                                   name + "\n0.5,1,1,5\n")},
