@@ -32,6 +32,7 @@ struct InitOptions {
   std::optional<double> ss_g, s1_g, mu, mu_std;
   std::vector<double> period_s;
   bool overwrite = false;
+  bool of_roof = false;  ///< the suite has motions of a roof
 
   bool is_project() const { return kind == "project"; }
   bool has_site() const { return ss_g.has_value(); }
@@ -65,6 +66,12 @@ ExampleFile study_file(const InitOptions& o) {
   set_common(o, file);
   file.set_text("study", "description", "");
   file.comment_out("suite", "normalise");  // a choice that depends on the suite
+  if (o.of_roof) {
+    file.set_example("intensity", "measure", "\"factor\"");
+    file.set_example("intensity", "levels", "[1.0]");
+    file.leave_out("building");
+    file.leave_out("standards");  // compare by S_DS
+  }
   if (o.has_site())
     file.set("intensity", "target",
              fmt::format("{{ edition = {}, ss_g = {}, s1_g = {}, site_class = {} }}",
@@ -82,6 +89,8 @@ ExampleFile project_file(const InitOptions& o) {
   for (const char* key : {"similar_array_m", "obstruction_m", "parapet_edge_m", "open_edge_m"})
     file.comment_out("clearances", key);
   file.comment_out("building", "storeys");
+  if (o.of_roof)
+    for (const char* key : {"period_s", "mass_ratio", "damping"}) file.comment_out("building", key);
   file.set_text("project", "address", "");
   file.set_example("result", "round_up_m", o.units == "us" ? "\"0.5 in\"" : "0.01");
   if (o.has_site()) {
@@ -167,16 +176,29 @@ std::optional<DesignTarget> write_checked(const InitOptions& o, ExampleFile& exa
   return target;
 }
 
+/// Options of the ground or of a building, which motions of a roof do not have.
+void check_options_of_roof(const InitOptions& o) {
+  const char* option = !o.period_s.empty()               ? "--period-s"
+                       : !o.system.empty()               ? "--system"
+                       : o.has_site() && !o.is_project() ? "--ss-g"
+                                                         : nullptr;
+  if (o.of_roof && option != nullptr)
+    throw InputError({option, "is not used with " + o.suite + ", which has motions of a roof",
+                      "leave it out: ground and building are in the motions", ""});
+}
+
 void init(InitOptions o) {
   if (!o.is_project() && !o.system.empty())
     throw InputError(
         {"--system", "is of a project's building", "add --kind project, or give --period-s", ""});
+  o.of_roof = has_roof_motions(o.suite);
+  check_options_of_roof(o);
   if (o.file.empty()) o.file = o.kind + ".toml";
   check_output_file(o.file, "file", o.overwrite);
   ExampleFile file = o.is_project() ? project_file(o) : study_file(o);
   const std::optional<DesignTarget> target = write_checked(o, file);
   put("File    {}\nValues of the example, not yours yet:\n{}", o.file, file.of_example());
-  if (!o.is_project() && !o.has_site())
+  if (!o.is_project() && !o.has_site() && !o.of_roof)
     put("  {}\n",
         wrapped(target ? "intensity.target: that of the suite, " + to_string(*target) +
                              "; --ss-g, --s1-g, --site-class and --edition give that of your site"
@@ -184,8 +206,10 @@ void init(InitOptions o) {
                 terminal_width, 4));
   if (o.is_project())
     put("Not stated: {}\n",
-        wrapped("building.storeys, building.diaphragm, site.fault_distance_km, "
-                "friction.laboratory, tested_on and surface, array, clearances, hazard",
+        wrapped((o.of_roof ? "suite.factor, report, author and date, building.storeys"
+                           : "building.storeys, building.diaphragm, hazard") +
+                    std::string(", site.fault_distance_km, friction.laboratory, tested_on and "
+                                "surface, array, clearances"),
                 terminal_width, 2));
   put("Next    glissade check {}\n", quoted_for_shell(o.file));
 }

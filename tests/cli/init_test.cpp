@@ -177,6 +177,37 @@ TEST(Init, a_problem_is_that_of_the_option) {
       {"--site-class", "\"Q\""});
 }
 
+TEST(Init, drafts_on_motions_of_a_roof_pass_check_as_they_are) {
+  const ScratchFolder folder;
+  std::string text = "[suite]\nname = \"roofs\"\nmotions = \"roof\"\nunits = \"g\"\n";
+  folder.write("a.txt", "0.1\n-0.3\n0.2\n");
+  folder.write("b.txt", "0.2\n-0.4\n0.1\n");
+  folder.write("c.txt", "0.3\n-0.5\n0.0\n");
+  for (const std::string files : {"ab", "bc"})
+    text += "[[record]]\nid = \"" + files + "\"\nfirst = { file = \"" + files[0] +
+            ".txt\", dt_s = 0.01 }\nsecond = { file = \"" + files[1] + ".txt\", dt_s = 0.01 }\n";
+  const std::string roofs = folder.write("roofs.toml", text);
+  const auto draft = [&](const std::string& kind, std::vector<std::string> options) {
+    options.insert(options.begin(),
+                   {"init", folder.path(kind + ".toml").string(), "--kind", kind, "--suite", roofs,
+                    "--slope", "0.25:12", "--mu", "0.5", "--mu-std", "0.03"});
+    return options;
+  };
+  for (const char* kind : {"study", "project"}) {
+    succeeding(draft(kind, {}));
+    const Finished child =
+        run_program({"check", folder.path(std::string(kind) + ".toml").string()});
+    EXPECT_EQ(child.status, 0) << child.err;
+    expect_refused(run_program(draft(kind, {"--period-s", "0.4", "--overwrite"})),
+                   {"--period-s", "motions of a roof"});
+  }
+  const std::vector<std::string> site = {"--ss-g",    "1.5",          "--s1-g",
+                                         "0.6",       "--site-class", "D",
+                                         "--edition", "asce7_16",     "--overwrite"};
+  expect_refused(run_program(draft("study", site)), {"--ss-g", "motions of a roof"});
+  succeeding(draft("project", site));
+}
+
 TEST(Init, what_cannot_be_read_is_refused_and_not_written) {
   const ScratchFolder folder;
   const std::string out = folder.path("my.toml").string();

@@ -29,6 +29,7 @@ class ExampleFile {
   void set_path(const std::string& table, const std::string& key, const std::filesystem::path& path,
                 const std::filesystem::path& folder);
   void comment_out(const std::string& table, const std::string& key);
+  void leave_out(const std::string& table);
   /// A key of the example that was commented out is one of the file.
   void take_example(const std::string& table, const std::string& key);
   /// A line for each table, "building    damping, mass_ratio": the keys of the file whose values

@@ -90,6 +90,13 @@ void ExampleFile::comment_out(const std::string& table, const std::string& key) 
                        comment_behind(line));
 }
 
+void ExampleFile::leave_out(const std::string& table) {
+  const auto begin = std::ranges::find(lines_, "[" + table + "]");
+  GLISSADE_EXPECTS(begin != lines_.end());
+  lines_.erase(begin, std::find_if(begin + 1, lines_.end(),
+                                   [](const std::string& line) { return line.starts_with("["); }));
+}
+
 void ExampleFile::take_example(const std::string& table, const std::string& key) {
   std::string& line = lines_[line_of(table, key)];
   if (line.starts_with("# ")) line.erase(0, 2);
