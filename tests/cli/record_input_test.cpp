@@ -62,6 +62,8 @@ TEST_F(RecordInput, that_is_wrong_is_reported_by_its_line_and_the_options) {
   expect_text_refused("column.txt", "0.1\n0.2\n", {"column.txt", "--units", "--dt-s"});
   expect_text_refused("step.txt", "dt=0.005\nacc: m/s2\n0.1\n0.2\n",
                       {"step.txt:1", "0.005", "--dt-s"}, {"--dt-s", "0.01"});
+  expect_text_refused("up.csv", "time (s),U-D (m/s2)\n0,1\n0.01,2\n",
+                      {"up.csv", "'UP'", "a vertical component, given as a horizontal one"});
   expect_text_refused("sa.csv", "period_s,sa_g\n0,0.1\n0.05,0.2\n0.1,0.1\n",
                       {"sa.csv:2", "'period_s'", "spectrum"});
   expect_text_refused("still.txt", "0\n0\n", {"still.txt", "--pga-g"},

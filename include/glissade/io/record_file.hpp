@@ -66,10 +66,13 @@ Record read_record(const std::filesystem::path& file, const RecordFileOptions& o
 
 /// Clockwise from north, where the file of a horizontal component states it.
 std::optional<double> stated_azimuth_deg(const Record& record);
+bool is_stated_vertical(const Record& record);
+/// In place of the one that its file states.
+void state_direction(Record& record, const std::string& direction);
 
-/// What the sources of a motion's components contradict: two stations, a vertical component as a
-/// horizontal one or the reverse, horizontals that are not perpendicular. Of files that do not
-/// state their source: nothing.
+/// What the sources of a motion's components contradict: two stations, horizontals that are not
+/// perpendicular. InputError for a component that its file states as the vertical, given as a
+/// horizontal, and for the reverse. Of files that state neither: nothing.
 std::vector<std::string> source_contradictions(const TimedRecord& first,
                                                const std::optional<TimedRecord>& second,
                                                const std::optional<TimedRecord>& vertical);

@@ -73,26 +73,15 @@ std::string address_of(const fs::path& file, const std::vector<FileComponent>& c
   return fmt::format("#{}", at + 1);
 }
 
-/// As the header states it; else by the name of the component, or by the scheme of names of the
-/// network whose format it is; "" where none states it.
-std::string stated_direction(const FileComponent& component, const RecordFormat& format,
-                             const std::string& stem) {
-  if (component_direction(component.header.direction)) return component.header.direction;
-  if (component_direction(component.name)) return plain_direction(component.name);
-  if (&format == &at2_format) return peer_direction(stem);
-  return &format == &cosmos_format || &format == &sac_format ? channel_in_name(stem) : "";
-}
-
 void take_direction(FoundComponent& found, const FileComponent& component,
                     const RecordFormat& format) {
-  const std::string stem = stem_of(found.file_name());
-  const std::string stated = stated_direction(component, format, stem);
+  const std::string stated = stated_direction(component, format, found.file_name());
   if (!stated.empty())
     found.header.direction = stated;
   else if (found.header.direction.empty())
     found.header.direction = component.name;
   if (stated.empty() && found.address.empty())
-    found.suggested_direction = split_direction(stem, std::nullopt).direction;
+    found.suggested_direction = split_direction(stem_of(found.file_name()), std::nullopt).direction;
 }
 
 FoundComponent found_component(const FileToRead& file, const RecordFormat& format,

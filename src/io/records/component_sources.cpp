@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <array>
 #include <cmath>
 
+#include "glissade/core/printable.hpp"
 #include "glissade/io/record_file.hpp"
-#include "text/scan.hpp"
+#include "import/component_name.hpp"
+#include "records/formats/reading.hpp"
 
 namespace glissade {
 namespace {
@@ -25,17 +25,18 @@ std::optional<Source> source_of(const Record& record) {
                 std::string(trimmed(text.substr(comma + 1)))};
 }
 
-std::optional<Source> source_of(const std::optional<TimedRecord>& component) {
-  return component ? source_of(component->record) : std::nullopt;
+std::optional<ComponentDirection> direction_of(const Record& record) {
+  const auto source = source_of(record);
+  return source ? component_direction(source->direction) : std::nullopt;
 }
 
-bool is_vertical(const Source& source) {
-  constexpr std::array names = {"up", "dwn", "down", "v", "ver", "vert", "z"};
-  return std::ranges::find(names, lower_case(source.direction)) != names.end();
+/// As the vertical where it is a horizontal, or the reverse.
+[[noreturn]] void refuse_place(const Record& record, const char* what, const char* suggestion) {
+  refuse_record(
+      record.name,
+      fmt::format("states its direction as {}: {}", in_quotes(source_of(record)->direction), what),
+      suggestion);
 }
-
-/// Clockwise from north; nothing of a direction by name.
-std::optional<double> azimuth_deg(const Source& source) { return parse_number(source.direction); }
 
 bool are_perpendicular(double one_deg, double other_deg) {
   constexpr double tolerance_deg = 5.0;
@@ -44,31 +45,52 @@ bool are_perpendicular(double one_deg, double other_deg) {
 
 }  // namespace
 
-std::optional<double> stated_azimuth_deg(const Record& record) {
+std::string stated_direction(const FileComponent& component, const RecordFormat& format,
+                             const std::filesystem::path& file) {
+  if (component_direction(component.header.direction)) return component.header.direction;
+  if (component_direction(component.name)) return plain_direction(component.name);
+  const std::string stem = stem_of(file);
+  if (&format == &at2_format) return peer_direction(stem);
+  return &format == &cosmos_format || &format == &sac_format ? channel_in_name(stem) : "";
+}
+
+void state_direction(Record& record, const std::string& direction) {
   const auto source = source_of(record);
-  const auto azimuth = source ? azimuth_deg(*source) : std::nullopt;
-  return azimuth && std::abs(*azimuth) <= 360.0 ? azimuth : std::nullopt;
+  record.source = (source ? source->station : "") + ", " + direction;
+}
+
+std::optional<double> stated_azimuth_deg(const Record& record) {
+  const auto direction = direction_of(record);
+  return direction ? direction->azimuth_deg : std::nullopt;
+}
+
+bool is_stated_vertical(const Record& record) {
+  const auto direction = direction_of(record);
+  return direction && direction->is_vertical;
 }
 
 std::vector<std::string> source_contradictions(const TimedRecord& first,
                                                const std::optional<TimedRecord>& second,
                                                const std::optional<TimedRecord>& vertical) {
+  for (const Record* horizontal : {&first.record, second ? &second->record : nullptr})
+    if (horizontal != nullptr && is_stated_vertical(*horizontal))
+      refuse_place(*horizontal, "a vertical component, given as a horizontal one",
+                   "give it as the vertical; where the file is wrong, state azimuth_deg of the "
+                   "component in a suite");
+  if (vertical && stated_azimuth_deg(vertical->record))
+    refuse_place(vertical->record, "a horizontal component, given as the vertical one",
+                 "give the file of the vertical component");
   std::vector<std::string> found;
-  const auto one = source_of(first), other = source_of(second), up = source_of(vertical);
-  for (const auto& component : {other, up}) {
-    if (one && component && lower_case(one->station) != lower_case(component->station))
+  const auto one = source_of(first.record);
+  for (const auto* component : {&second, &vertical}) {
+    const auto other = *component ? source_of((*component)->record) : std::nullopt;
+    if (one && other && !one->station.empty() && !other->station.empty() &&
+        lower_case(one->station) != lower_case(other->station))
       found.push_back(fmt::format("components of two stations or locations (\"{}\" and \"{}\")",
-                                  one->station, component->station));
+                                  one->station, other->station));
   }
-  for (const auto& horizontal : {one, other}) {
-    if (horizontal && is_vertical(*horizontal))
-      found.push_back(
-          fmt::format("a vertical component, {}, as a horizontal one", horizontal->direction));
-  }
-  if (up && azimuth_deg(*up))
-    found.push_back(fmt::format("a horizontal component, {}, as the vertical one", up->direction));
-  const auto one_deg = one ? azimuth_deg(*one) : std::nullopt,
-             other_deg = other ? azimuth_deg(*other) : std::nullopt;
+  const auto one_deg = stated_azimuth_deg(first.record),
+             other_deg = second ? stated_azimuth_deg(second->record) : std::nullopt;
   if (one_deg && other_deg && !are_perpendicular(*one_deg, *other_deg))
     found.push_back(
         fmt::format("horizontal components of {:g} and {:g} degrees, which are not perpendicular",

@@ -51,9 +51,12 @@ Record read_record(const RecordStore::Found& found, RecordFileOptions options) {
   if (options.dt_s) check_step(file.string(), shortest_decimal(*options.dt_s), *options.dt_s);
   options.component = found.component;
   const RecordText text = record_text(file, *found.bytes);
-  std::vector<FileComponent> components = format_of(text).read(text, options);
-  Record record =
-      std::move(components[picked_component(file, components, options.component)].record);
+  const RecordFormat& format = format_of(text);
+  std::vector<FileComponent> components = format.read(text, options);
+  FileComponent& component = components[picked_component(file, components, options.component)];
+  Record record = std::move(component.record);
+  if (const std::string direction = stated_direction(component, format, file); !direction.empty())
+    state_direction(record, direction);
   check_readable(record);
   return record;
 }

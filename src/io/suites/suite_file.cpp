@@ -53,21 +53,26 @@ Record edited(Record component, double start_s, const RecordEntry& entry) {
   return component;
 }
 
-/// Azimuths that the suite states, else those of the files; a difference between them is found.
+/// Azimuths that the suite states, else those of the files; a difference between them is found, and
+/// that of the suite is taken.
 MotionDirections directions_of(const RecordEntry& entry,
-                               const std::array<const TimedRecord*, 2>& horizontals,
+                               const std::array<TimedRecord*, 2>& horizontals,
                                std::vector<std::string>& found) {
   constexpr double most_apart_deg = 1.0;
   MotionDirections directions{{}, entry.strike_deg};
   for (std::size_t i = 0; i < horizontals.size(); ++i) {
     const char* key = i == 0 ? "first" : "second";
     if (horizontals[i] == nullptr) continue;
-    const auto stated = entry.components.at(key).azimuth_deg,
-               of_file = stated_azimuth_deg(horizontals[i]->record);
+    Record& record = horizontals[i]->record;
+    const auto stated = entry.components.at(key).azimuth_deg, of_file = stated_azimuth_deg(record);
     directions.horizontal_deg[i] = stated ? stated : of_file;
-    if (stated && of_file && std::abs(std::remainder(*stated - *of_file, 360.0)) > most_apart_deg)
-      found.push_back(fmt::format("azimuth_deg = {:g} of the {} component, whose file states {:g}",
-                                  *stated, key, *of_file));
+    if (!stated) continue;
+    if (of_file ? std::abs(std::remainder(*stated - *of_file, 360.0)) > most_apart_deg
+                : is_stated_vertical(record))
+      found.push_back(fmt::format("azimuth_deg = {:g} of the {} component, whose file states {}",
+                                  *stated, key,
+                                  of_file ? shortest_decimal(*of_file) : "that it is vertical"));
+    state_direction(record, shortest_decimal(*stated));
   }
   return directions;
 }
@@ -116,9 +121,11 @@ class RecordedSuiteReader {
     if (!first || record.problem_count() > problems_before) return;
     try {
       Motion metadata = entry.metadata;
-      metadata.contradictions = contradictions(*first, second, vertical);
+      std::vector<std::string> of_azimuths;
       const MotionDirections directions =
-          directions_of(entry, {&*first, second ? &*second : nullptr}, metadata.contradictions);
+          directions_of(entry, {&*first, second ? &*second : nullptr}, of_azimuths);
+      metadata.contradictions = contradictions(*first, second, vertical);
+      std::ranges::move(of_azimuths, std::back_inserter(metadata.contradictions));
       for (TimedRecord* component :
            {&*first, second ? &*second : nullptr, vertical ? &*vertical : nullptr})
         if (component != nullptr && entry.processing.baseline_degree)

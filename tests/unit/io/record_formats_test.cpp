@@ -266,7 +266,11 @@ TEST(record_formats, components_of_surface_and_borehole_are_of_two_stations) {
   const TimedRecord north{read_sample({"afad.txt", "N-S"}), 0.0},
       east{read_sample({"afad.txt", "E-W"}), 0.0}, up{read_sample({"afad.txt", "U-D"}), 0.0};
   EXPECT_THAT(source_contradictions(north, east, up), IsEmpty());
-  EXPECT_THAT(source_contradictions(north, up, east), testing::SizeIs(2));
+  EXPECT_THAT(message_of([&] { source_contradictions(up, {}, {}); }),
+              test::states("afad.txt", "'UP'", "a vertical component, given as a horizontal one"));
+  EXPECT_THAT(message_of([&] { source_contradictions(north, up, {}); }), HasSubstr("'UP'"));
+  EXPECT_THAT(message_of([&] { source_contradictions(north, {}, east); }),
+              test::states("'90'", "a horizontal component, given as the vertical one"));
 }
 
 TEST(record_formats, a_component_that_is_not_there_is_named_with_those_that_are) {
@@ -334,6 +338,16 @@ TEST(record_formats, the_header_of_sac_decides_the_component_and_else_its_channe
   EXPECT_THAT(message({"HNE", 0, 0, unknown}), test::states("CMPINC = 0", "HNE"));
   EXPECT_THAT(message({"HNZ", 90, 0, unknown}), test::states("CMPINC = 90", "HNZ"));
   EXPECT_THAT(message({"HN1", 45, 0, unknown}), test::states("CMPINC = 45"));
+}
+
+TEST(record_formats, a_table_states_by_its_heading_that_a_seismometer_holds_accelerations) {
+  const TemporaryFolder folder;
+  const auto table = [&](const std::string& channel) {
+    return folder.write("a.csv", "time (s)," + channel + "\n0.00,0.1\n0.01,-0.2\n0.02,0.1\n");
+  };
+  EXPECT_THAT(message_of([&] { read_record(table("BHZ"), in_mps2); }),
+              test::states("BHZ", "seismometer", "unit in its heading"));
+  EXPECT_TRUE(is_stated_vertical(read_record(table("BHZ (m/s2)"), {})));
 }
 
 TEST(record_formats, miniseed_of_a_seismometer_is_refused) {

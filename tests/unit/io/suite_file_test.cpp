@@ -132,7 +132,13 @@ TEST_F(SuiteFile, components_whose_headers_contradict_each_other_are_named) {
   EXPECT_THAT(found("c.at2", "up.at2"), testing::IsEmpty());
   EXPECT_THAT(found("b.at2", "up.at2"),
               ElementsAre(states("Nishi-Akashi", "Shin-Osaka"), states("0", "60")));
-  EXPECT_THAT(found("up.at2", "c.at2"), ElementsAre(states("UP"), states("270")));
+  const auto text = [&](const std::string& first, const std::string& vertical) {
+    return head + "[[record]]\nid = \"a\"\nfirst = " + first + "\n" + vertical;
+  };
+  refuses({{text("\"up.at2\"", ""), "suite.toml:4", {"up.at2", "'UP'", "vertical", "azimuth_deg"}},
+           {text("\"a.at2\"", "vertical = \"c.at2\"\n"), "suite.toml:4", {"c.at2", "'270'"}}});
+  EXPECT_THAT(load(text("{ file = \"up.at2\", azimuth_deg = 40 }", "")).motions[0].contradictions,
+              ElementsAre(states("azimuth_deg = 40", "states that it is vertical")));
 }
 
 TEST_F(SuiteFile, a_file_that_many_entries_name_is_read_once_and_its_samples_are_shared) {

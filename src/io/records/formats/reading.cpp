@@ -446,11 +446,11 @@ void refuse_seismometer(const RecordText& file, std::string_view channel) {
   const auto seed = seed_channel(channel);
   if (!seed || (seed->instrument != 'H' && seed->instrument != 'P')) return;
   refuse_record(file,
-                fmt::format("channel {} is that of a seismometer, and nothing says that it holds "
-                            "accelerations",
+                fmt::format("channel {} is that of a seismometer, and its file does not state that "
+                            "it holds accelerations",
                             in_quotes(channel)),
-                "give the channel of an accelerometer (HN.), or accelerations by a file that says "
-                "so (SAC: IDEP = IACC)");
+                "give the channel of an accelerometer (HN.), or state it in the file (SAC: IDEP = "
+                "IACC; a table: the unit in its heading): units alone does not");
 }
 
 ChannelLine channel_line(std::string_view line) {

@@ -64,4 +64,9 @@ std::size_t picked_component(const std::filesystem::path& file,
                              const std::vector<FileComponent>& components,
                              const std::string& wanted);
 
+/// As the header states it; else by the name of the component, or by the scheme of names of the
+/// network whose format it is; "" where none states it.
+std::string stated_direction(const FileComponent& component, const RecordFormat& format,
+                             const std::filesystem::path& file);
+
 }  // namespace glissade

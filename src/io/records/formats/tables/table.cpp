@@ -215,6 +215,7 @@ std::vector<FileComponent> read_table(const RecordText& file, const RecordFileOp
   const StatedUnit unit = column.unit.empty()
                               ? StatedUnit{plan.stated.units, plan.stated.units_line}
                               : StatedUnit{column.unit, plan.shape.first_row - 1};
+  if (unit.text.empty()) refuse_seismometer(file, column.name);
   const bool has_step = plan.time || options.dt_s || plan.stated.dt_s;
   const double unit_mps2 = stated_unit(file, unit, has_step, options);
   TimedSamples rows = read_rows(file, plan, plan.components[picked], unit_mps2);
