@@ -59,6 +59,7 @@ bool is_below_roof(const GrammarKey& row) {
 }
 
 /// Everything that is missing, at once.
+/// @param of_roof nothing of a building below it: the suite is of a roof, or not there
 void require_keys(const TomlTable& root, bool of_roof) {
   const auto require = [&](const char* table, const char* key) {
     const TomlTable at = root.table(table);
@@ -256,12 +257,17 @@ ProjectBuilding read_building(const TomlTable& table, const Project& project) {
     building.period_s = read_values(table, "period_s", above_zero);
     building.period_basis = "as given";
   }
-  constexpr double most_period_s = 15.0;
-  if (!building.period_s.empty() && building.period_s.back() > most_period_s)
+  constexpr double least_period_s = 0.02, most_period_s = 15.0;
+  const auto refuse = [&](double period_s, const char* than, double limit_s) {
     table.report(table.has("period_s") ? "period_s" : "height_m",
-                 fmt::format("a building period of {:.3g} s: no building has more than {:g} s",
-                             building.period_s.back(), most_period_s),
+                 fmt::format("a building period of {:.3g} s: no building has {} than {:g} s",
+                             period_s, than, limit_s),
                  "check the units: seconds, metres");
+  };
+  if (const auto& periods_s = building.period_s; !periods_s.empty()) {
+    if (periods_s.front() < least_period_s) refuse(periods_s.front(), "less", least_period_s);
+    if (periods_s.back() > most_period_s) refuse(periods_s.back(), "more", most_period_s);
+  }
   table.refuse_both("mass_ratio", "weight_kn", "give the ratio, or both weights");
   if (table.has("weight_kn") && table.has("array_weight_kn")) {
     const double array_kn = table.number("array_weight_kn", not_negative).value_or(0.0);
@@ -338,7 +344,8 @@ std::vector<ProjectGap> read_gaps(const TomlTable& root) {
   return gaps;
 }
 
-void read_suite(const TomlTable& suite, Project& project) {
+/// @return whether the suite that is named is there
+bool read_suite(const TomlTable& suite, Project& project) {
   project.suite = (project.file.parent_path() / suite.text("file").value_or("")).lexically_normal();
   const bool is_there = suite.has("file") && fs::is_regular_file(status_of(project.suite));
   if (suite.has("file") && !is_there)
@@ -346,12 +353,13 @@ void read_suite(const TomlTable& suite, Project& project) {
                  "give the path of a suite file, relative to the project file (suites/README.md)");
   project.of_roof = is_there && has_roof_motions(project.suite);
   project.simulated_motions = is_there && record_files(project.suite).empty();
-  if (!is_there || project.of_roof) return;
+  if (!is_there || project.of_roof) return is_there || !suite.has("file");
   for (const char* key : {"factor", "report", "author", "date"})
     if (suite.has(key))
       suite.report(key,
                    suite.name_of(key) + " is of motions of a roof, and the suite is of the ground",
                    "leave it out: the site gives the factor on ground motions");
+  return true;
 }
 
 void check_scaling_rule(const TomlTable& suite, const Project& project) {
@@ -449,9 +457,9 @@ Project read_one(const fs::path& file, std::optional<std::size_t> site) {
     read_keys(project_tables(), tables, root, project);
   };
   read({"suite"});
-  read_suite(root.table("suite"), project);
+  const bool has_suite = read_suite(root.table("suite"), project);
   check_scaling_rule(root.table("suite"), project);
-  require_keys(root, project.of_roof);
+  require_keys(root, project.of_roof || !has_suite);
   const std::size_t before = root.problem_count();
   read({"project"});
   if (const TomlTable head = root.table("project");

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <limits>
 
 #include "analysis/in_files.hpp"
@@ -132,7 +133,9 @@ std::vector<StudyTable> tables_of_cases() {
          reads<intensity, &IntensityConfig::scaled_to_s>(longest_rule),
          "sds_g: the suite's average is 0.9 of the design spectrum or more from 2 s to here too, s",
          {{"measure = \"sds_g\"",
-           [](auto&, auto& s) { return s.intensity.measure == IntensityMeasure::sds_g; }}}},
+           [](auto&, auto& s) { return s.intensity.measure == IntensityMeasure::sds_g; }},
+          {"scaling_rule = \"walters_2012\"",
+           [](auto&, auto& s) { return s.intensity.scaling_rule == ScalingRule::walters_2012; }}}},
         {"sa_period_s", "number", "required with sa_g and sa_rotd50_g",
          "period of the spectral acceleration, s"},
         {"avg_sa_periods_s", list_value, "required with avg_sa_g",
@@ -335,14 +338,37 @@ const std::vector<StudyTable>& study_tables() {
   return tables;
 }
 
-std::vector<std::string> keys_not_stated(const TomlTable& root, const StudyConfig& study) {
-  const auto is_of_other_building = [&](const std::string& name) {
-    const auto p = std::ranges::find_if(
-        parameters(), [&](const Parameter& parameter) { return parameter.name() == name; });
-    return p != parameters().end() && p->is_of != nullptr && !p->is_of(study.building) &&
-           !study.building.is_one_mass();
+namespace {
+
+/// Whether its usual value holds, and another one could be stated beside what the study states.
+bool holds_as_usual(std::size_t i, const StudyConfig& study) {
+  constexpr std::array instead{std::array{"response_modification", "yield_coefficient"},
+                               std::array{"neighbour_mu", "neighbour_over_mu"}};
+  const Parameter& p = parameters()[i];
+  const BuildingModel& building = study.building;
+  const std::string key = p.key;
+  const auto is_usual = [&](std::size_t of) {
+    return study.quantities[of].is_always(value_of(parameters()[of], Case()));
   };
-  std::vector<std::string> texts;
+  if (key == "across_mu") return !study.friction.across_is_given;
+  if (study.quantities[i].is_stated || !is_usual(i)) return false;  // another key gives it
+  if (p.moves_roof() && key != "period_s" && is_always(study, p.table, "period_s", 0.0))
+    return false;
+  if (p.is_of != nullptr && !p.is_of(building) && !building.is_one_mass()) return false;
+  if (key == "alpha" && building.is_one_storey) return false;
+  for (const auto& pair : instead) {
+    if (std::ranges::find(pair, key) == pair.end()) continue;
+    if (p.moves_roof() && !building.is_one_mass()) return false;  // only one mass yields
+    for (const char* other : pair)
+      if (!is_usual(parameter_index(p.table, other))) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+std::vector<std::string> keys_not_stated(const TomlTable& root, const StudyConfig& study) {
+  std::vector<std::string> all;
   for (const StudyTable& of : study_tables()) {
     const bool is_analysis = std::ranges::any_of(analyses_in_files(), [&](const auto& analysis) {
       return analysis.table != nullptr && of.name == analysis.table;
@@ -353,13 +379,18 @@ std::vector<std::string> keys_not_stated(const TomlTable& root, const StudyConfi
       const std::string name = of.name + "." + row.key;
       const bool has_value = row.read && !row.usual.starts_with("required") &&
                              row.usual != "none" && row.usual != "absent" && row.usual != "false";
-      if (!has_value || table.has(row.key) || is_of_other_building(name)) continue;
+      const auto p = std::ranges::find(parameters(), name, &Parameter::name);
+      const bool is_parameter = p != parameters().end();
+      if (!has_value || table.has(row.key) ||
+          (is_parameter &&
+           !holds_as_usual(static_cast<std::size_t>(p - parameters().begin()), study)))
+        continue;
       if (std::ranges::all_of(row.needs,
                               [&](const StudyNeed& need) { return need.is_met(root, study); }))
-        texts.push_back(name + ": " + row.usual);
+        all.push_back(name + ": " + row.usual);
     }
   }
-  return texts;
+  return all;
 }
 
 void refuse_idle_keys(const TomlTable& root, const StudyConfig& study) {

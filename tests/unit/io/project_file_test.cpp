@@ -167,6 +167,19 @@ TEST_F(ProjectFile, values_that_no_building_or_site_has_are_refused_by_their_key
                                 testing::StartsWith("known are steel_moment_frame"))));
 }
 
+// Issue 48: motions of a roof need no building, and a suite that is not there may be of a roof.
+TEST_F(ProjectFile, a_suite_that_is_not_there_is_the_only_problem) {
+  const std::string below = changed(period + "\n" + mass_ratio + "\n", "storeys = 3\n");
+  EXPECT_THAT(problems_of(changed("suite.toml", "roof.toml", below)),
+              one_problem("p.toml:17", "no suite", "roof.toml"));
+}
+
+TEST_F(ProjectFile, a_period_that_no_building_has_is_refused) {
+  for (const char* period_s : {"0.005", "[0.005, 0.5]", "16"})
+    EXPECT_THAT(problems_of(changed(period, "period_s = " + std::string(period_s))),
+                one_problem("p.toml:10", "no building has"));
+}
+
 // A wrong hint is a number ready to be copied: A is hard rock.
 TEST_F(ProjectFile, of_site_class_f_requires_a_site_response_analysis) {
   const auto refused = [&](const std::string& site, const auto& problem) {

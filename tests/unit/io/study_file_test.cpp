@@ -157,22 +157,60 @@ TEST_F(StudyFile, one_storey_is_one_mass_by_intention) {
   EXPECT_FALSE(read(needed).building.is_one_storey);
 }
 
+std::vector<std::string> not_stated(const StudyConfig& study) { return study.not_stated; }
+
 TEST_F(StudyFile, keys_that_are_left_out_and_have_an_effect_are_named_with_what_holds) {
   const auto has = [](const char* text) { return testing::Contains(testing::StartsWith(text)); };
-  const std::vector<std::string> of_all = read(needed).not_stated;
-  for (const char* text :
-       {"building.damping: 0.05", "friction.across_mu: friction.mu", "building.period_ratio: 1"})
-    EXPECT_THAT(of_all, has(text));
-  EXPECT_THAT(read(needed + "[building]\nperiod_s = 0.5\n").not_stated,
-              has("building.alpha: one mass"));
-  for (const char* text : {"friction.mu", "building.hardening_ratio", "standards", "study"})
-    EXPECT_THAT(of_all, testing::Not(has(text)));
-  EXPECT_THAT(read(needed + "[building]\ndamping = 0.05\n").not_stated,
-              testing::Not(has("building.damping")));
-  EXPECT_THAT(read(needed + "[building]\nperiod_s = 1\nstoreys = 3\n").not_stated,
-              testing::Not(has("building.alpha")));
-  EXPECT_THAT(read(needed + "[model]\naxes = 1\n").not_stated,
+  const std::vector<std::string> of_rigid = not_stated(read(needed));
+  for (const char* text : {"building.period_s: 0", "friction.across_mu: friction.mu"})
+    EXPECT_THAT(of_rigid, has(text));
+  for (const char* text : {"friction.mu", "building.hardening_ratio", "building.damping",
+                           "vertical.damping", "building.alpha", "standards", "study"})
+    EXPECT_THAT(of_rigid, testing::Not(has(text)));
+  EXPECT_THAT(not_stated(read(needed + "[model]\naxes = 1\n[building]\nperiod_s = 1\n")),
               testing::Not(has("building.period_ratio")));
+}
+
+// Issue 48: "building.period_s: 0, with a warning" beside modes.
+TEST_F(StudyFile, keys_of_another_building_are_not_named_as_left_out) {
+  const std::vector<std::string> all = {"building.period_s",
+                                        "building.alpha: one mass",
+                                        "building.damping: 0.05",
+                                        "building.period_ratio: 1",
+                                        "building.mass_ratio: 0",
+                                        "building.yield_coefficient: 0",
+                                        "building.response_modification: 0"};
+  const std::string mode = "[{ period_s = 1, participation = 1, mass_share = 1",
+                    damped = mode + ", damping = 0.02 }]\n";
+  struct Building {
+    std::string keys;
+    std::vector<std::size_t> named;
+  };
+  for (const auto& [keys, named] : std::vector<Building>{
+           {"", {0}},
+           {"period_s = 1\n", {1, 2, 3, 4, 5, 6}},
+           {"period_s = 1\nstoreys = 1\n", {2, 3, 4, 5, 6}},
+           {"period_s = 1\nyield_coefficient = 0.2\n", {1, 2, 3, 4}},
+           {"period_s = 1\nalpha = 2\n", {2, 3, 4}},
+           {"period_s = 1\nstoreys = 3\ndamping = 0.05\n", {3, 4}},
+           {"modes = " + mode + " }]\n", {2, 3, 4}},
+           {"modes = " + damped, {3, 4}},
+           {"modes = " + damped + "modes_across = " + damped + "period_ratio = 1\n", {4}},
+           {"modes = " + damped +
+                "modes_across = [{ period_s = 0.5, participation = 1, "
+                "mass_share = 1, damping = 0.02 }]\n",
+            {4}}}) {
+    const std::vector<std::string> texts = not_stated(read(needed + "[building]\n" + keys));
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      const auto is_named = testing::Contains(testing::StartsWith(all[i]));
+      if (std::ranges::find(named, i) != named.end())
+        EXPECT_THAT(texts, is_named) << keys;
+      else
+        EXPECT_THAT(texts, testing::Not(is_named)) << keys;
+    }
+  }
+  EXPECT_THAT(not_stated(read(needed + "[roof]\nrise_in_12 = 0\n")),
+              testing::Not(testing::Contains(testing::StartsWith("roof.slope_deg"))));
 }
 
 TEST_F(StudyFile, what_is_left_out_takes_the_defaults_of_the_configuration) {
