@@ -120,13 +120,18 @@ FloorAccelerations roof_acceleration(const std::vector<Mode>& modes,
 }
 
 std::vector<std::string> warnings_on(const BuildingOptions& o, const ModeFile& building) {
-  std::vector<std::string> warnings = improbable_modes(building.modes);
+  std::vector<std::string> warnings = improbable_modes(building.modes, building.has_damping);
   const Parameter& period = parameters()[parameter_index("building", "period_s")];
   if (const std::string text = improbable_value(period, building.modes.front().period_s);
       !text.empty())
     warnings.push_back(text + (o.masses.empty() ? ""
                                                 : " Masses in t go with stiffnesses in kN/m, "
                                                   "masses in kg with N/m"));
+  if (o.storeys || !o.masses.empty())
+    if (std::string text =
+            improbable_storeys(building.modes.size(), building.modes.front().period_s);
+        !text.empty())
+      warnings.push_back(std::move(text));
   if (building.has_damping && (o.sds_g || !o.spectrum.empty()))
     warnings.emplace_back(
         "the design spectrum is of 5 % damping: peak accelerations are not those of the damping in "

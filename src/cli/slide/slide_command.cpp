@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <cstring>
+#include <iterator>
 #include <nlohmann/json.hpp>
 
 #include "commands.hpp"
@@ -126,6 +127,10 @@ std::vector<std::string> warnings_on(const SlideOptions& o, const Motion& motion
   for (const Parameter& p : parameters()) texts.push_back(improbable_value(p, value_of(p, o.c)));
   for (std::string& text : texts)
     if (!text.empty()) warnings.push_back(std::move(text));
+  PeriodsByAxis periods;
+  periods.take(o.c);
+  std::ranges::move(improbable_building(o.building, periods, o.two_axes()),
+                    std::back_inserter(warnings));
   if (o.building.is_one_mass())
     if (std::string text = one_mass_sentence(std::nullopt, o.c.period_s); !text.empty())
       warnings.push_back(text + ": give --alpha, --storeys or --modes");

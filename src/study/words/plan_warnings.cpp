@@ -170,43 +170,10 @@ Warnings target_values(const Plan& plan) {
   return warnings;
 }
 
-/// Of the modes that the engineer states.
-Warnings stated_modes(const Plan& plan) {
-  const BuildingModel& model = plan.config.building;
-  if (model.kind != BuildingModel::Kind::modes) return {};
-  const Parameter& damping = parameters()[parameter_index("building", "damping")];
-  Warnings warnings;
-  for (std::size_t axis = 0; axis < (plan.config.two_axes() ? 2 : 1); ++axis) {
-    Warnings sentences = improbable_modes(model.modes[axis]);
-    for (const Mode& mode : model.modes[axis])
-      if (std::string text = improbable_value(damping, mode.damping_ratio);
-          model.has_own_damping && !text.empty())
-        sentences.push_back(std::move(text));
-    for (const std::string& sentence : sentences)
-      warnings.push_back(fmt::format("building.modes{}: {}", axis == 0 ? "" : "_across", sentence));
-  }
-  return warnings;
-}
-
-/// Of storeys: how long a first period is usual, and numbers that are not of one unit.
-Warnings improbable_storeys(const Plan& plan) {
-  const StudyConfig& config = plan.config;
-  if (config.building.kind != BuildingModel::Kind::storeys) return {};
-  constexpr double least_s = 0.02, most_s = 0.5;  // a storey (recalled: about 0.1)
-  const auto storeys = static_cast<double>(config.building.modes[0].size());
-  Warnings warnings;
-  double shortest_s = infinity, longest_s = 0.0;
-  for (const Case& c : plan.cases.all()) {
-    shortest_s = std::min(shortest_s, c.period_s);
-    longest_s = std::max(longest_s, c.period_s);
-  }
-  for (const double period_s : {shortest_s, longest_s})
-    if (warnings.empty() && (period_s < least_s * storeys || period_s > most_s * storeys))
-      warnings.push_back(
-          fmt::format("a first period of {:.3g} s of {:g} storeys is outside {:g} to {:g} s a "
-                      "storey (recalled)",
-                      period_s, storeys, least_s, most_s));
-  return warnings;
+Warnings improbable_periods(const Plan& plan) {
+  PeriodsByAxis periods;
+  for (const Case& c : plan.cases.all()) periods.take(c);
+  return improbable_building(plan.config.building, periods, plan.config.two_axes());
 }
 
 /// By the least and the largest value of each parameter.
@@ -389,8 +356,7 @@ std::vector<std::string> warnings_on(const Plan& plan) {
                              missed_targets,
                              few_for_rule,
                              target_values,
-                             stated_modes,
-                             improbable_storeys,
+                             improbable_periods,
                              improbable_parameters,
                              improbable_buildings,
                              period_gaps,

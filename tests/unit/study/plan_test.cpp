@@ -549,6 +549,25 @@ TEST(plan, warns_of_storeys_and_stated_modes_that_no_building_has) {
   EXPECT_THAT(warnings(stated, 1.0), testing::Contains(testing::HasSubstr("damping 0.4")));
 }
 
+TEST(plan, warns_of_a_period_along_the_second_axis_that_no_building_has) {
+  using Kind = BuildingModel::Kind;
+  const std::vector<Mode> whole{{1.0, 1.0, 1.0}};
+  for (const BuildingModel& building : {BuildingModel{}, BuildingModel{Kind::cantilever},
+                                        BuildingModel{Kind::modes, {{whole, whole}}}}) {
+    StudyConfig config = small_config();
+    config.model.axes = SlidingAxes::two;
+    config.building = building;
+    config.quantities.at("building", "period_s") = listed({0.5, 15.0});
+    config.quantities.at("building", "period_ratio") = listed({1.0, 4.0});
+    EXPECT_THAT(small_plan(config).warnings,
+                testing::Contains(test::states("along the second axis", "60 s is above 10 s")));
+    config.quantities.at("building", "period_ratio") = fixed(1.0);
+    EXPECT_THAT(
+        small_plan(config).warnings,
+        testing::Not(testing::Contains(testing::HasSubstr("along the second axis: building"))));
+  }
+}
+
 TEST(plan, refuses_periods_below_a_hundredth_of_a_second_which_are_rigid) {
   for (const char* table : {"building", "vertical"}) {
     StudyConfig config = small_config();
