@@ -103,6 +103,12 @@ TEST_F(Sites, go_on_where_they_were_stopped) {
               testing::HasSubstr("is finished"));
 }
 
+TEST_F(Sites, do_not_go_on_alone) {
+  for (const char* end : {"", "/"})
+    expect_refused(run_program({"clearance", "--resume", (out() / "site_2").string() + end}),
+                   {"site_2", "one site of several", "clearance --resume " + out().string()});
+}
+
 TEST_F(Sites, that_are_wrong_are_named_with_their_line_before_anything_runs) {
   const auto refuses = [&](const std::string& from, const std::string& to,
                            const std::vector<std::string>& parts) {

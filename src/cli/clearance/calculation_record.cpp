@@ -183,6 +183,15 @@ CalculationIdentity read_calculation(const fs::path& folder) {
   return {text("project"), text("project_sha256")};
 }
 
+void check_is_no_site(const fs::path& folder) {
+  const fs::path above = (fs::absolute(folder) / "").lexically_normal().parent_path().parent_path();
+  if (!is_calculation(folder) || !is_calculation(above) ||
+      read_calculation(folder).project != read_calculation(above).project)
+    return;
+  throw InputError({"--resume", folder.string() + " is the folder of one site of several",
+                    "go on with all of them: " + resume_calculation_command(above), ""});
+}
+
 void write_begun_calculation(const CalculationIdentity& identity, RunState state,
                              const fs::path& folder) {
   CalculationJson json = head_of_calculation(identity, state);

@@ -28,6 +28,9 @@ bool is_finished_calculation(const std::filesystem::path& folder);
 /// Throws InputError where none began in the folder.
 CalculationIdentity read_calculation(const std::filesystem::path& folder);
 
+/// Throws InputError where it is the folder of one site in that of several.
+void check_is_no_site(const std::filesystem::path& folder);
+
 /// Started, or stopped, with what goes on with it.
 void write_begun_calculation(const CalculationIdentity& identity, RunState state,
                              const std::filesystem::path& folder);

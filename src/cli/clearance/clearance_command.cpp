@@ -202,6 +202,7 @@ void add_clearance(CLI::App& program, const Communicator& world) {
           "clearance",
           "no project file is given; `glissade clearance --example` prints one to begin with");
     const bool of_product = root_says(world, [&] {
+      if (!o->resume.empty()) check_is_no_site(o->resume);
       return is_product(o->resume.empty() ? fs::path(o->project)
                                           : read_calculation(o->resume).project);
     });
