@@ -111,13 +111,14 @@ void create_text_file(const fs::path& path, std::string_view text) {
 }
 
 void write_file(const fs::path& path, const WriteFile& write) {
-  std::error_code error;
-  const fs::file_status status = fs::status(path, error);
+  const fs::file_status status = status_of(path);
   if (fs::is_directory(status)) throw_io_error(path, "cannot be written", EISDIR);
   if (fs::exists(status) && !fs::is_regular_file(status))
     throw_io_error(path, "is no regular file", EINVAL);
-  const fs::path target = fs::is_symlink(path, error) ? fs::weakly_canonical(path, error) : path;
+  const fs::path target =
+      fs::is_symlink(link_status_of(path)) ? fs::weakly_canonical(path) : path;
   if (target.has_parent_path()) {
+    std::error_code error;
     fs::create_directories(target.parent_path(), error);
     if (error) throw_io_error(target.parent_path(), "cannot be made", error.value());
   }
@@ -125,8 +126,8 @@ void write_file(const fs::path& path, const WriteFile& write) {
 }
 
 void write_text_file(const fs::path& path, std::string_view text) {
-  std::error_code error;
-  if (must_be_written_directly(path, fs::status(path, error)) && !fs::is_directory(path, error))
+  const fs::file_status status = status_of(path);
+  if (must_be_written_directly(path, status) && !fs::is_directory(status))
     return write_directly(path, text);
   write_file(path, [&](OutputFile& file, const fs::path&) { file.write(text); });
 }

@@ -43,11 +43,10 @@ fs::path real_path(const fs::path& path) {
 }
 
 bool leads_to_an_open_file(fs::path path) {
-  std::error_code ignored;
-  while (fs::is_symlink(path, ignored)) {
-    const fs::path folder = fs::absolute(path, ignored).parent_path();
-    if (fs::canonical(folder, ignored).string().starts_with("/proc/")) return true;
-    path = folder / fs::read_symlink(path, ignored);
+  while (fs::is_symlink(link_status_of(path))) {
+    const fs::path folder = fs::absolute(path).parent_path();
+    if (real_path(folder).string().starts_with("/proc/")) return true;
+    path = folder / fs::read_symlink(path);
   }
   return false;
 }

@@ -100,7 +100,7 @@ void CalculationFolder::run(const std::string& name,
   try {
     const bool goes_on = root_says(world_, [&] {
       const std::string study = text();
-      if (fs::exists(file)) earlier = read_text_file(file);
+      if (is_there(file)) earlier = read_text_file(file);
       write_text_file(file, study);
       const bool resumes = !options_.resume.empty(), is_done = resumes && has_results(folder);
       if (is_done) check_results(folder, file, study);
@@ -142,7 +142,7 @@ void CalculationFolder::finish(const std::function<void()>& write,
 void CalculationFolder::leave(int status) noexcept try {
   std::error_code ignored;
   fs::remove(path_ / "stop", ignored);
-  const bool has_study = !studies_.empty() && fs::exists(path_ / studies_.front(), ignored);
+  const bool has_study = !studies_.empty() && is_there(path_ / studies_.front());
   if (status == 2 && !has_study) {
     fs::remove(path_ / "run.json", ignored);
     remove_listed(path_);

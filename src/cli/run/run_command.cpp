@@ -96,11 +96,9 @@ void write_all(const Plan& whole, RunHistories& all, std::uint64_t resumed,
 
 /// Else --overwrite would remove what is to be merged.
 void check_is_none_of(const std::vector<FinishedPart>& parts, const fs::path& out) {
-  for (const FinishedPart& part : parts) {
-    std::error_code ignored;
-    if (fs::equivalent(part.folder, out, ignored))
+  for (const FinishedPart& part : parts)
+    if (fs::equivalent(part.folder, out))
       throw InputError({"--out", out.string() + " is one of the parts", "give another --out", ""});
-  }
 }
 
 /// A part cannot know what the others have found.

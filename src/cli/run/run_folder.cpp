@@ -177,10 +177,9 @@ void check_journal_is_of(const fs::path& results_file, const fs::path& folder) {
     check_same_study(read_origin(results_file).study_text, study, read_study(study).source_text,
                      folder);
   }
-  std::error_code ignored;
   const bool lacks_report =
-      state_in(run_json) == RunState::unreported || !fs::exists(folder / "report.html", ignored);
-  if (lacks_report || fs::exists(folder / "journal", ignored)) {
+      state_in(run_json) == RunState::unreported || !is_there(folder / "report.html");
+  if (lacks_report || is_there(folder / "journal")) {
     const std::unique_ptr<RunLock> lock = take_folder(folder);
     if (lacks_report) {
       write_report(read_results(results_file), folder, skips_in(run_json));
@@ -228,8 +227,7 @@ StoppedRun take_stopped_run(const fs::path& folder, const fs::path& study) {
     const Problem& problem = fault->problems().front();
     put("{}: {}: made again from the journal\n", problem.where, problem.what);
   }
-  std::error_code ignored;
-  fs::remove(folder / "stop", ignored);
+  remove_file(folder / "stop");
   return run;
 }
 

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <nlohmann/json.hpp>
 #include <system_error>
 
 #include "glissade/core/error.hpp"
@@ -36,13 +37,11 @@ void check_folder(const fs::path& folder) {
 /// As the system answers; on some network file systems the first write decides.
 void check_may_write(const fs::path& folder, const std::string& option) {
   const fs::path existing = existing_part(folder);
-  std::error_code ignored;
-  const bool is_folder = fs::is_directory(existing, ignored);
+  const bool is_folder = fs::is_directory(status_of(existing));
   if (is_folder && ::faccessat(AT_FDCWD, existing.c_str(), W_OK | X_OK, AT_EACCESS) == 0) return;
   const int error_number = is_folder ? errno : ENOTDIR;
-  const bool is_there = fs::exists(folder, ignored);
   throw InputError({folder.string(),
-                    fmt::format("cannot be {} ({}): {}", is_there ? "written to" : "made",
+                    fmt::format("cannot be {} ({}): {}", existing == fs::absolute(folder) ? "written to" : "made",
                                 existing.string(), std::generic_category().message(error_number)),
                     "give a folder you may write to with " + option, ""});
 }
@@ -57,9 +56,13 @@ bool is_partial_of_own(const fs::path& folder, const fs::path& file) {
 bool has_begun(const fs::path& folder) {
   const fs::path run_json = folder / "run.json";
   try {
-    static_cast<void>(read_identity(folder));
-    return true;
-  } catch (const InputError&) {  // none, or a file of the user
+    if (has_identity(folder)) {
+      static_cast<void>(read_identity(folder));
+      return true;
+    }
+  } catch (const IoError&) {
+    throw;
+  } catch (const InputError&) {  // a file of the user
   }
   return is_there(folder / "report_files.txt") ||
          (is_there(run_json) && read_run_json(run_json).contains("status"));
@@ -68,8 +71,7 @@ bool has_begun(const fs::path& folder) {
 /// Nothing, or what a command that was killed at its begin left: it computed nothing.
 bool is_free(const fs::path& folder) {
   const auto is_left = [&](const fs::path& file) {
-    std::error_code ignored;
-    return (file == folder / "journal/lock" && fs::is_empty(file, ignored)) ||
+    return (file == folder / "journal/lock" && fs::is_empty(file)) ||
            is_partial_of_own(folder, file);
   };
   return std::ranges::all_of(files_in(folder), [&](const fs::path& file) {
@@ -81,9 +83,8 @@ bool is_free(const fs::path& folder) {
 }  // namespace
 
 fs::path existing_part(const fs::path& path) {
-  std::error_code ignored;
   fs::path existing = fs::absolute(path);
-  while (!fs::exists(existing, ignored) && existing.has_relative_path())
+  while (!fs::exists(status_of(existing)) && existing.has_relative_path())
     existing = existing.parent_path();
   return existing;
 }
@@ -123,13 +124,10 @@ void check_report_folder(const fs::path& folder, bool overwrite) {
 
 std::unique_ptr<RunLock> take_folder(const fs::path& folder) {
   auto lock = std::make_unique<RunLock>(folder);
-  for (const fs::path& in : {folder, folder / "journal"}) {
-    for (const fs::path& file : files_in(in)) {
-      std::error_code ignored;
-      if (is_partial_of_own(folder, file) && fs::is_regular_file(fs::symlink_status(file, ignored)))
-        fs::remove(file, ignored);
-    }
-  }
+  for (const fs::path& in : {folder, folder / "journal"})
+    for (const fs::path& file : files_in(in))
+      if (is_partial_of_own(folder, file) && fs::is_regular_file(link_status_of(file)))
+        remove_file(file);
   return lock;
 }
 

@@ -7,6 +7,7 @@
 
 #include "glissade/core/error.hpp"
 #include "glissade/core/folder.hpp"
+#include "glissade/core/io_error.hpp"
 #include "glissade/core/output_file.hpp"
 #include "glissade/io/journal.hpp"
 #include "journal/names.hpp"
@@ -34,8 +35,10 @@ bool lock_now(int fd) {
 /// Whether the open file is still the one of that name: a run that ended removes it.
 bool is_still(int fd, const fs::path& path) {
   struct stat open = {}, named = {};
-  return ::fstat(fd, &open) == 0 && ::stat(path.c_str(), &named) == 0 &&
-         open.st_ino == named.st_ino && open.st_dev == named.st_dev;
+  const bool is_named = ::stat(path.c_str(), &named) == 0;
+  if (!is_named && (errno == ENOENT || errno == ENOTDIR)) return false;
+  if (!is_named || ::fstat(fd, &open) != 0) throw_read_error(path, "cannot be looked up", errno);
+  return open.st_ino == named.st_ino && open.st_dev == named.st_dev;
 }
 
 int open_lock(const JournalNames& names) {
@@ -49,8 +52,10 @@ int open_lock(const JournalNames& names) {
   const int fd = ::open(names.lock.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW, 0666);
   if (fd < 0) throw_io_error(names.lock, "cannot be opened for writing", errno);
   struct stat file = {};
-  if (::fstat(fd, &file) == 0 && file.st_size == 0) return fd;
+  const int failure = ::fstat(fd, &file) == 0 ? 0 : errno;
+  if (failure == 0 && file.st_size == 0) return fd;
   ::close(fd);
+  if (failure != 0) throw_read_error(names.lock, "cannot be looked up", failure);
   throw InputError(
       {names.lock.string(), "is not as glissade writes it: it is not empty", "move it away", ""});
 }
@@ -67,7 +72,12 @@ RunLock::RunLock(const fs::path& run_folder) : folder_(run_folder) {
   for (;;) {
     fd_ = open_lock(names);
     const bool is_free = lock_now(fd_);
-    if (is_free && is_still(fd_, names.lock)) return;
+    try {
+      if (is_free && is_still(fd_, names.lock)) return;
+    } catch (...) {
+      ::close(fd_);
+      throw;
+    }
     ::close(fd_);
     if (is_free) continue;  // whoever held it has removed it
     throw InputError({run_folder.string(), "a run is going on in it",
@@ -118,7 +128,8 @@ void remove_journals(const fs::path& run_folder) {
 
 bool is_running(const fs::path& run_folder) {
   const int fd = ::open(JournalNames(run_folder).lock.c_str(), O_RDONLY | O_CLOEXEC | O_NOFOLLOW);
-  if (fd < 0) return false;
+  if (fd < 0 && (errno == ENOENT || errno == ENOTDIR || errno == ELOOP)) return false;
+  if (fd < 0) throw_read_error(run_folder, "cannot be looked up", errno);
   struct flock lock = whole_file();
   const bool is_held = ::fcntl(fd, F_OFD_GETLK, &lock) == 0 && lock.l_type != F_UNLCK;
   ::close(fd);

@@ -13,6 +13,7 @@
 #include "glissade/core/file.hpp"
 #include "glissade/core/file_name.hpp"
 #include "glissade/core/folder.hpp"
+#include "glissade/core/input_file.hpp"
 
 namespace glissade {
 namespace {
@@ -89,12 +90,11 @@ void list(const fs::path& folder, const Names& names) {
 
 /// And what writers of any of `all` left that were killed.
 void remove(const fs::path& folder, const Names& names, const Names& all) {
-  std::error_code ignored;
   for (const char* part : {"", "tables", "figures"}) {
     for (const fs::path& file : files_in(folder / part)) {
       const std::string name = (part / file.filename()).string();
       if ((names.contains(name) || all.contains(whole_name(name))) &&
-          fs::is_regular_file(fs::symlink_status(file, ignored)))
+          fs::is_regular_file(link_status_of(file)))
         remove_file(file);
     }
   }
@@ -165,8 +165,8 @@ void remove_listed(const fs::path& folder) {
 bool is_whole(const fs::path& folder) {
   const Names names = listed(folder);
   return !names.empty() && std::ranges::all_of(names, [&](const std::string& name) {
-    std::error_code error;
-    return fs::file_size(folder / name, error) > 0 && !error;
+    const fs::path file = folder / name;
+    return fs::is_regular_file(status_of(file)) && fs::file_size(file) > 0;
   });
 }
 
