@@ -19,6 +19,7 @@
 
 #include "glissade/core/error.hpp"
 #include "glissade/core/file.hpp"
+#include "glissade/core/folder.hpp"
 #include "glissade/report/format.hpp"
 #include "plot/child_program.hpp"
 
@@ -206,10 +207,15 @@ bool is_whole_workbook(std::string_view bytes) {
 // libxlsxwriter does not notice what it could not write or read again: it writes to memory, and
 // twice, since its parts go through files.
 void write_workbook(const std::vector<Table>& tables, const std::filesystem::path& file) {
+  const std::filesystem::path folder = file.parent_path();
+  const std::vector<std::filesystem::path> before = files_in(folder);
   const std::string book = made_of(tables, file);
   if (!is_whole_workbook(book) || made_of(tables, file) != book)
     throw InputError({file.string(), "cannot be written: a part of it is lost",
                       "see whether the disk is full", ""});
+  for (const std::filesystem::path& left : files_in(folder))  // nor what it could not remove
+    if (left.filename().string().starts_with("tmp.") && !std::ranges::binary_search(before, left))
+      remove_file(left);
   write_text_file(file, book);
 }
 
