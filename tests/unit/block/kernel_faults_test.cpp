@@ -212,52 +212,30 @@ TEST(a_step_of_a_nanosecond, is_refused_by_the_tables_of_a_building_instead_of_f
 // which it rests. All slip of the first two was missed; in the next two a phase within a step from
 // rest, and in the last two the first of several roots of the release.
 TEST(peak_slip_on_modes, sees_slip_between_samples_of_a_short_period) {
-  struct Found {
-    unsigned seed;
-    std::size_t samples;
-    Mode first, second;
-    double mass_ratio, friction;
-  };
-  for (const Found& of :
-       {Found{68535, 23, {1.08, 0.23, 0.25, 0.077}, {0.058, 0.77, 0.35, 0.077}, 0.027, 1.22},
-        Found{58350, 61, {1.2, 0.08, 0.25, 0.12}, {0.056, 0.92, 0.23, 0.12}, 0.1, 1.43},
-        Found{79557,
-              44,
-              {0.5292, 0.2122, 0.25, 0.0472},
-              {0.06804, 0.7878, 0.2466, 0.0472},
-              0.012,
-              0.421},
-        Found{29614,
-              34,
-              {1.4072, 0.0229, 0.25, 0.024},
-              {0.070112, 0.9771, 0.5297, 0.024},
-              0.0501,
-              0.9288},
-        Found{51746,
-              41,
-              {0.628094, 0.291575, 0.252458, 0.0772795},
-              {0.0520923, 0.708425, 0.363, 0.0772795},
-              0.0169169,
-              0.359576},
-        Found{8538,
-              31,
-              {0.766446, 0.076236, 0.351314, 0.297992},
-              {0.055376, 0.923764, 0.334356, 0.297992},
-              0.0473531,
-              0.317212}}) {
+  const auto check = [](unsigned seed, std::size_t samples, Mode first, Mode second,
+                        double mass_ratio, double friction) {
     const double dt_s = 0.02;
-    const std::vector<double> samples = made_up_record(of.samples, of.seed, 10.0);
-    const Mode modes[] = {of.first, of.second};
+    const std::vector<double> record = made_up_record(samples, seed, 10.0);
+    const Mode modes[] = {first, second};
     const Modes axis(modes);
-    const Block block{.friction = of.friction};
-    const test::ModesReference truth(samples, dt_s, axis, of.mass_ratio, block, 2.0, 100);
-    const BuildingGround ground{{std::make_shared<GroundTable>(dt_s, samples), nullptr}, nullptr};
-    const TwoAxisScene scene{{{axis, axis}, {}, of.mass_ratio}, block, {}};
+    const Block block{.friction = friction};
+    const test::ModesReference truth(record, dt_s, axis, mass_ratio, block, 2.0, 100);
+    const BuildingGround ground{{std::make_shared<GroundTable>(dt_s, record), nullptr}, nullptr};
+    const TwoAxisScene scene{{{axis, axis}, {}, mass_ratio}, block, {}};
     BuildingPeak peak;
     peak_slip_two_axes(ground, {&scene, 1}, {&peak, 1});
-    ASSERT_GT(truth.peak_m, 1e-6);
-    EXPECT_NEAR(peak.peak_displacement_m, truth.peak_m, 1e-5 * truth.peak_m);
-  }
+    ASSERT_GT(truth.peak_m, 1e-6) << seed;
+    EXPECT_NEAR(peak.peak_displacement_m, truth.peak_m, 1e-5 * truth.peak_m) << seed;
+  };
+  check(68535, 23, {1.08, 0.23, 0.25, 0.077}, {0.058, 0.77, 0.35, 0.077}, 0.027, 1.22);
+  check(58350, 61, {1.2, 0.08, 0.25, 0.12}, {0.056, 0.92, 0.23, 0.12}, 0.1, 1.43);
+  check(79557, 44, {0.5292, 0.2122, 0.25, 0.0472}, {0.06804, 0.7878, 0.2466, 0.0472}, 0.012, 0.421);
+  check(29614, 34, {1.4072, 0.0229, 0.25, 0.024}, {0.070112, 0.9771, 0.5297, 0.024}, 0.0501,
+        0.9288);
+  check(51746, 41, {0.628094, 0.291575, 0.252458, 0.0772795},
+        {0.0520923, 0.708425, 0.363, 0.0772795}, 0.0169169, 0.359576);
+  check(8538, 31, {0.766446, 0.076236, 0.351314, 0.297992},
+        {0.055376, 0.923764, 0.334356, 0.297992}, 0.0473531, 0.317212);
 }
 
 // It divided its parts without end.
