@@ -11,9 +11,6 @@ inline constexpr std::size_t least_records = 7;
 /// Levels of the demand study.
 inline constexpr std::size_t at_dbe = 0, at_mce = 1, demand_levels = 2;
 
-/// What the project's conditions require with this friction.
-double required_m(const Project& project, const Results& demand, double friction);
-
 /// Under which the array lifts off at a level, in a case at least.
 std::vector<std::string> records_with_uplift(const Results& results, std::size_t level);
 

@@ -8,6 +8,7 @@
 
 #include "checks.hpp"
 #include "glissade/core/contract.hpp"
+#include "glissade/core/finite.hpp"
 #include "glissade/core/quantile.hpp"
 #include "glissade/design/of_project.hpp"
 #include "glissade/fragility/share.hpp"
@@ -21,7 +22,7 @@ namespace {
 /// The inputs of a condition that a project varies.
 struct Inputs {
   double friction = 0.0, slope_deg = 0.0, mass_ratio = 0.0, level = 0.0, period_s = 0.0,
-         alpha = 0.0;
+         alpha = 0.0, damping = 0.0;
   VerticalChoice vertical = VerticalChoice::if_available;
 };
 
@@ -29,7 +30,8 @@ Inputs inputs_of(const Results& results, const SuiteMean& mean) {
   const ConditionGrid grid(results);
   const Case& c = grid.case_at(mean.at);
   const double level = grid.value(ConditionAxis::level, mean.at);
-  return {c.friction, c.slope_deg, c.mass_ratio, level, c.period_s, c.alpha, c.vertical};
+  return {c.friction, c.slope_deg, c.mass_ratio, level,
+          c.period_s, c.alpha,     c.damping,    c.vertical};
 }
 
 bool is_among(const std::vector<double>& values, double value) {
@@ -42,14 +44,14 @@ double required_m(const Results& demand, const SuiteMean& mean) {
          (demand.records.size() < least_records ? mean.largest : mean.range.highest);
 }
 
-/// One of the project's own conditions at S_DS: neither of a slope, a mass ratio or a period that
-/// was added for the sensitivity.
+/// One of the project's own conditions at S_DS: none that was added for the model uncertainty.
 bool is_condition_of(const Project& project, const Results& demand, const Inputs& inputs,
                      double friction) {
   return inputs.friction == friction && inputs.level == demand.levels.front() &&
          is_among(project.slope_deg, inputs.slope_deg) &&
          is_among(project.building.mass_ratio, inputs.mass_ratio) &&
          is_among(project.building.period_s, inputs.period_s) &&
+         (project.of_roof || inputs.damping == project.building.damping) &&
          (project.building.alpha.empty() || is_among(project.building.alpha, inputs.alpha));
 }
 
@@ -116,70 +118,23 @@ std::vector<PeriodDemand> largest_demands(const Project& project, const Results&
   return found;
 }
 
-/// Every value of one input; the largest over the project's conditions in all others.
-class SensitivityTable {
- public:
-  SensitivityTable(const Project& project, const Results& demand, const Inputs& governing)
-      : project_(project), demand_(demand), governing_(governing) {}
-
-  template <class T, class Text>
-  void vary(const char* what, T Inputs::*input, Text text) {
-    std::vector<std::pair<T, double>> found;
-    for (const SuiteMean& mean : demand_.clearance->by_period) {
-      const T value = inputs_of(demand_, mean).*input;
-      Inputs others = inputs_of(demand_, mean);
-      others.*input = governing_.*input;
-      if (!is_condition_of(project_, demand_, others, project_.friction.design())) continue;
-      const auto same = std::ranges::find(found, value, &std::pair<T, double>::first);
-      if (same == found.end())
-        found.emplace_back(value, required_m(demand_, mean));
-      else
-        same->second = std::max(same->second, required_m(demand_, mean));
-    }
-    if (found.size() < 2) return;
-    std::ranges::sort(found, {}, &std::pair<T, double>::first);
-    for (const auto& [value, clearance_m] : found)
-      rows_.push_back({what, text(value), clearance_m, value == governing_.*input});
+/// What the project's conditions require with one input changed.
+template <class T>
+double required_with(T Inputs::*input, T value, const Project& project, const Results& results,
+                     const Inputs& governing) {
+  double most_m = -1.0;
+  for (const SuiteMean& mean : results.clearance->by_period) {
+    Inputs others = inputs_of(results, mean);
+    if (others.*input != value) continue;
+    others.*input = governing.*input;
+    if (is_condition_of(project, results, others, project.friction.design()))
+      most_m = std::max(most_m, required_m(results, mean));
   }
-  std::vector<Sensitivity> rows() && { return std::move(rows_); }
-
- private:
-  const Project& project_;
-  const Results& demand_;
-  Inputs governing_;
-  std::vector<Sensitivity> rows_;
-};
-
-std::vector<Sensitivity> sensitivity_of(const Project& project, const Results& demand,
-                                        const Inputs& governing) {
-  SensitivityTable table(project, demand, governing);
-  const std::vector<StudiedFriction> frictions = frictions_of(project);
-  table.vary("friction", &Inputs::friction, [&](double value) {
-    return fmt::format(
-        "{:.3f} ({})", value,
-        found_in(frictions, value, "the frictions of the project", &StudiedFriction::value).what);
-  });
-  table.vary("roof slope", &Inputs::slope_deg,
-             [](double value) { return fmt::format("{:.3g} degrees", value); });
-  table.vary("mass ratio", &Inputs::mass_ratio,
-             [](double value) { return fmt::format("{:.3g}", value); });
-  table.vary("vertical motion", &Inputs::vertical, [](VerticalChoice use) -> std::string {
-    return use == VerticalChoice::none ? "without" : "with";
-  });
-  table.vary("shaking", &Inputs::level,
-             [&](double level) -> std::string { return level == governing.level ? "DBE" : "MCE"; });
-  table.vary("\u03b1_0 of the building", &Inputs::alpha,
-             [](double value) { return fmt::format("{:.3g}", value); });
-  table.vary("building period", &Inputs::period_s,
-             [](double value) { return fmt::format("{:.3g} s", value); });
-  return std::move(table).rows();
+  expect_of_project(most_m >= 0.0, "the conditions with one input changed");
+  return most_m;
 }
 
 }  // namespace
-
-double required_m(const Project& project, const Results& demand, double friction) {
-  return required_m(demand, governing_mean(project, demand, friction));
-}
 
 SeparationVerdict verdict_on(const ProjectSeparation& separation, const Project& project,
                              const DesignClearance& design) {
@@ -250,10 +205,70 @@ DesignClearance design_clearance(const Project& project, const Results& demand,
       if (is_of_kind(gap))
         design.separations.push_back({separations[i], gap.available_m, i, gap.name});
   }
-  design.sensitivity = sensitivity_of(project, demand, inputs);
+  design.mce_analysis_m =
+      required_with(&Inputs::level, demand.levels[at_mce], project, demand, inputs);
+  for (const StudiedFriction& mu : frictions_of(project))
+    if (mu.what == bound_name(project.friction))
+      design.bound_analysis_m = required_m(demand, governing_mean(project, demand, mu.value));
   design.checks = checks_of(project, demand, design);
   design.warnings = warnings_on(project, demand, design);
   return design;
+}
+
+void add_model_uncertainty(const Project& project, const Results& demand,
+                           const Results& uncertainty, DesignClearance& design) {
+  expect_of_project(uncertainty.clearance && uncertainty.levels == std::vector{dbe_level(project)},
+                    "displacements at both ends of friction and damping, at DBE");
+  const Inputs governing =
+      inputs_of(demand, governing_mean(project, demand, project.friction.design()));
+  ModelUncertainty& found = design.uncertainty;
+  const auto add = [&](const char* premise, const std::string& ends, double low, double high,
+                       double low_m, double high_m) {
+    found.effects.push_back({premise, ends, low, high, {low_m, design.analysis_m, high_m}});
+  };
+  const auto vary = [&](const char* premise, const std::string& added, std::size_t stated,
+                        double Inputs::*input, const std::vector<double>& values,
+                        const Results& results) {
+    if (values.size() < 2) return;
+    const auto at = [&](double value) {
+      return required_with(input, value, project, results, governing);
+    };
+    add(premise, stated > 1 ? "range of the project" : added, values.front(), values.back(),
+        at(values.front()), at(values.back()));
+  };
+  const ProjectBuilding& building = project.building;
+  if (const auto ends = friction_ends(project)) {
+    const auto at = [&](double mean) {
+      const double design_mu = design_friction(Normal{mean, project.friction.std});
+      return slides_freely_on(project, design_mu)
+                 ? infinity
+                 : required_with(&Inputs::friction, design_mu, project, uncertainty, governing);
+    };
+    add("friction, mean", ends->what, ends->low, ends->high, at(ends->low), at(ends->high));
+  }
+  vary("building damping", "half and twice", 1, &Inputs::damping, dampings_of(project),
+       uncertainty);
+  vary("building period, s", "0.9 and 1.1 times", building.period_s.size(), &Inputs::period_s,
+       periods_of(project), demand);
+  vary("\u03b1_0 of the building", "", building.alpha.size(), &Inputs::alpha, building.alpha,
+       demand);
+  vary("mass ratio", "as stated, and more", building.mass_ratio.size(), &Inputs::mass_ratio,
+       mass_ratios_of(project), demand);
+  vary("roof slope, degrees", "as stated, and 1 degree more", project.slope_deg.size(),
+       &Inputs::slope_deg, slopes_of(project), demand);
+  const auto with_vertical = [&](VerticalChoice use) {
+    return required_with(&Inputs::vertical, use, project, demand, governing);
+  };
+  add("vertical motion", "without; with", nan, nan, with_vertical(VerticalChoice::none),
+      with_vertical(VerticalChoice::if_available));
+  if (!design.of_largest) {
+    const auto [low, high] = positive_mean_interval(design.by_record_m);
+    add("records", fmt::format("95 % interval of {}", design.by_record_m.size()), nan, nan,
+        design.factor * low, design.factor * high);
+    found.effects.back().is_of_records = true;
+  }
+  sort_by_change(found.effects);
+  found.not_varied = project.of_roof ? "the roof motions" : "the roof diaphragm";
 }
 
 namespace {

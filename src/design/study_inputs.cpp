@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 #include "glissade/core/units.hpp"
 #include "glissade/design/design_clearance.hpp"
 #include "glissade/motion/improbable.hpp"
+#include "glissade/study/analysis/sampling_error.hpp"
 
 namespace glissade {
 
@@ -16,8 +20,7 @@ std::string bound_name(const ProjectFriction& mu) {
 std::vector<StudiedFriction> frictions_of(const Project& project) {
   const ProjectFriction& mu = project.friction;
   if (mu.std == 0.0) return {{mu.design(), "mean"}};
-  std::vector<StudiedFriction> frictions{
-      {mu.design(), "mean - 2 std"}, {mu.mean, "mean"}, {mu.mean + 2.0 * mu.std, "mean + 2 std"}};
+  std::vector<StudiedFriction> frictions{{mu.design(), "mean - 2 std"}};
   const double tangent = std::tan(slopes_of(project).back() * rad_per_deg);
   if (mu.lower_bound && *mu.lower_bound < mu.design() && *mu.lower_bound > tangent)
     frictions.insert(frictions.begin(), {*mu.lower_bound, bound_name(mu)});
@@ -47,6 +50,29 @@ std::vector<double> periods_of(const Project& project) {
   if (const double only_s = periods_s.front(); periods_s.size() == 1 && only_s > 0.0)
     periods_s = {0.9 * only_s, only_s, 1.1 * only_s};
   return periods_s;
+}
+
+std::vector<double> dampings_of(const Project& project) {
+  constexpr double most = 0.999;
+  const double stated = project.building.damping;
+  if (project.of_roof || stated == 0.0 || stated == most) return {stated};
+  return {0.5 * stated, stated, std::min(2.0 * stated, most)};
+}
+
+std::optional<FrictionEnds> friction_ends(const Project& project) {
+  constexpr double most = 2.0;
+  const auto& [mean, std, tests] =
+      std::tie(project.friction.mean, project.friction.std, project.friction.tests);
+  if (std == 0.0) return std::nullopt;
+  const double reach =
+      tests ? half_width(std / std::sqrt(static_cast<double>(*tests)), *tests) : std;
+  return FrictionEnds{std::max(0.0, mean - reach), std::min(most, mean + reach),
+                      tests ? fmt::format("95 % interval of the mean of {} tests", *tests)
+                            : "one standard deviation: number of tests not stated"};
+}
+
+bool slides_freely_on(const Project& project, double friction) {
+  return std::tan(project.slope_deg.back() * rad_per_deg) >= friction;
 }
 
 double dbe_level(const Project& project) {

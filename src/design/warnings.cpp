@@ -149,14 +149,11 @@ std::vector<DesignWarning> warnings_on(const Project& project, const Results& de
         "at the MCE the array lifts off under {} of {} records ({}): the probability of exceedance "
         "at the MCE is outside the model; the required displacement is that of the DBE",
         lifted.size(), demand.records.size(), fmt::join(lifted, ", ")));
-  for (const StudiedFriction& mu : frictions_of(project)) {
-    if (mu.what != bound_name(project.friction)) continue;
-    const double clearance_m = required_m(project, demand, mu.value);
-    if (clearance_m > design.governing_m)
-      add(fmt::format(
-          "with friction {:.3f} ({}) the required displacement, {}, is above the governing one",
-          mu.value, mu.what, both_units(clearance_m, project.units)));
-  }
+  if (design.bound_analysis_m > design.governing_m)
+    add(fmt::format(
+        "with friction {:.3f} ({}) the required displacement, {}, is above the governing one",
+        *project.friction.lower_bound, bound_name(project.friction),
+        both_units(*design.bound_analysis_m, project.units)));
   const bool moves = design.demand.back().largest_m > 0.0 || design.analysis_m > 0.0;
   if (project.of_roof) return warnings;
   if (moves && design.demand.size() == 1) {

@@ -196,6 +196,7 @@ TEST_F(OutputRuleOfAFolder, nothing_is_written_or_removed_where_a_name_is_taken)
       return command[0] == "report";
     for (const auto& [begin, project] : {std::pair{"package", "project.toml"},
                                          {"demand.", "project.toml"},
+                                         {"uncertainty.", "project.toml"},
                                          {"probability.", "project.toml"},
                                          {"sites.", "sites.toml"},
                                          {"product", "product.toml"},

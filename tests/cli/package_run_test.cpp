@@ -108,6 +108,11 @@ TEST_F(Package, results_without_what_the_project_looks_for_are_an_error_of_the_i
     change(changed);
     EXPECT_THROW(add_exceedance(project, changed, exceeded), InputError);
   }
+  DesignClearance varied = design;
+  EXPECT_THROW(add_model_uncertainty(project, demand, demand, varied), InputError);
+  Results uncertainty = read_results(out() / "uncertainty/results.h5");
+  uncertainty.clearance->by_period.clear();
+  EXPECT_THROW(add_model_uncertainty(project, demand, uncertainty, varied), InputError);
   DesignClearance larger = design;
   larger.governing_m += 1e-3;
   EXPECT_THROW(add_exceedance(project, probability, larger), InputError);
@@ -129,7 +134,7 @@ TEST_F(Package, is_not_made_of_studies_of_other_motions) {
 TEST_F(Package, check_of_a_project_says_what_would_run_and_writes_nothing) {
   const fs::path other = folder_->path("checked");
   const Finished child = succeeding({"check", project_file, "--out", other.string()});
-  EXPECT_THAT(child.out, states("demand", "probability", "clearance"));
+  EXPECT_THAT(child.out, states("demand", "uncertainty", "probability", "clearance"));
   EXPECT_FALSE(fs::exists(other));
   const Finished taken = run_program({"check", project_file, "--out", out().string()});
   EXPECT_EQ(taken.status, 2);

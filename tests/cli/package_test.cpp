@@ -74,7 +74,7 @@ TEST_F(Package, is_in_the_order_of_a_calculation) {
                            "\">6. Motions</h2>",
                            "\">7. Analysis and governing displacement</h2>",
                            "\">8. Separations</h2>",
-                           "\">9. Sensitivity</h2>",
+                           "\">9. Model uncertainty</h2>",
                            "\">10. Probability of exceedance</h2>",
                            "\">11. Plausibility of the roof motions</h2>",
                            "\">12. Independent check by hand</h2>",
@@ -457,13 +457,27 @@ TEST_F(Package, a_page_holds_text_as_text_and_few_tests_and_a_peer_review_are_wa
   EXPECT_THAT(child.out, states("peer_reviewed"));
 }
 
-TEST_F(Package, one_slope_and_the_friction_that_the_tests_support_are_varied) {
-  std::map<std::string, int> rows;
+TEST_F(Package, states_what_each_premise_and_the_records_change_the_largest_change_first) {
   const nlohmann::json json = numbers();
-  for (const auto& row : json.at("sensitivity")) ++rows[row.at("input")];
-  EXPECT_EQ(rows["roof slope"], 2);
-  EXPECT_EQ(rows["\u03b1_0 of the building"], 2);
-  EXPECT_EQ(rows["friction"], 4);  // mean - 2 std, mean, mean + 2 std, lower bound of the tests
+  std::vector<std::string> premises;
+  double before = infinity;
+  for (const auto& row : json.at("model_uncertainty")) {
+    premises.push_back(row.at("premise"));
+    EXPECT_EQ(row.at("calculated_m"), json.at("analysis_m"));
+    EXPECT_LE(row.at("change"), before);
+    before = row.at("change");
+  }
+  EXPECT_THAT(premises,
+              testing::UnorderedElementsAre("friction, mean", "building damping",
+                                            "building period, s", "\u03b1_0 of the building",
+                                            "roof slope, degrees", "vertical motion", "records"));
+  EXPECT_GT(json.at("mce_analysis_m"), json.at("analysis_m"));
+  EXPECT_GT(json.at("bound_analysis_m"), json.at("analysis_m"));  // lower bound of the tests
+  EXPECT_THAT(finished_.out, testing::HasSubstr("Largest change"));
+  EXPECT_THAT(read_file(out() / "package.html"), states("Not varied: the roof diaphragm"));
+  EXPECT_THAT(read_file(out() / "tables/model_uncertainty.csv"),
+              states("95 % interval of the mean of 6 tests"));
+  EXPECT_THAT(read_file(out() / "tables/columns.csv"), states("model_uncertainty", "Low end: "));
 }
 
 TEST_F(Package, run_json_of_the_folder_has_the_warnings_of_the_package) {

@@ -8,6 +8,7 @@
 #include "glissade/design/project.hpp"
 #include "glissade/motion/motion.hpp"
 #include "glissade/standards/conditions.hpp"
+#include "glissade/study/analysis/model_uncertainty.hpp"
 #include "glissade/study/results.hpp"
 
 // From the results of a project's studies to one governing displacement and its separations.
@@ -55,14 +56,6 @@ struct PrescribedValue {
 /// What both standards judge: the friction by its design value, which is below the mean.
 ArrayFacts facts_of(const Project& project, const SiteValues& site);
 std::vector<PrescribedValue> prescribed_values(const Project& project, const SiteValues& site);
-
-/// The required displacement with one input changed.
-struct Sensitivity {
-  std::string what;   ///< "friction"
-  std::string value;  ///< "0.52 (mean)"
-  double clearance_m = 0.0;
-  bool is_governing = false;  ///< the input of the governing case
-};
 
 /// Probability that the displacement exceeds the governing one, at one building period.
 struct ExceedanceAt {
@@ -134,15 +127,17 @@ struct DesignClearance {
   bool of_largest = false;  ///< fewer than 7 records: the largest counts in place of the mean
   double analysis_m = 0.0;  ///< factor x the largest mean over orientations and periods
   double median_analysis_m = 0.0;  ///< with the median of the orientations in place of the largest
+  double mce_analysis_m = 0.0;     ///< at the MCE
+  std::optional<double> bound_analysis_m;  ///< with the lower bound of the tests, where it is run
   std::vector<PrescribedValue> prescribed;
   double floor_m = 0.0;  ///< least value of an analysis by the standard of the project; 0: none
   double governing_m = 0.0;
   bool floor_governs = false;
   double rounded_m = 0.0;  ///< governing_m, rounded up
   std::vector<ProjectSeparation> separations;
-  std::vector<Sensitivity> sensitivity;
   std::vector<DesignCheck> checks;
-  // Until the probability study has run, these are empty.
+  // Until the other studies have run, these are empty.
+  ModelUncertainty uncertainty;  ///< of analysis_m
   std::vector<ExceedanceAt> exceedance;          ///< by level, those of a level by period
   std::vector<DisplacementExceedance> compared;  ///< first the governing displacement
   QuantileDisplacement accepted;  ///< that accepted_exceedance of the histories exceed
@@ -185,12 +180,25 @@ std::vector<StudiedFriction> frictions_of(const Project& project);
 /// "95 % lower bound of the tests", with its direction where there are several.
 std::string bound_name(const ProjectFriction& friction);
 
+// What is added to the project's values is for the model uncertainty.
+
 /// The slopes of the demand study: those of the project, and beside a single one a steeper one.
 std::vector<double> slopes_of(const Project& project);
-/// Those of the project, and of one value twice that too (0.05 of none), for the sensitivity.
+/// Those of the project, and of one value twice that too (0.05 of none).
 std::vector<double> mass_ratios_of(const Project& project);
-/// Those of the project, and of one above 0 also 0.9 and 1.1 times that, for the sensitivity, s.
+/// Those of the project, and of one above 0 also 0.9 and 1.1 times that, s.
 std::vector<double> periods_of(const Project& project);
+/// Half of the building's damping ratio, it, and twice it, 0.999 at most; of a roof's motions none.
+std::vector<double> dampings_of(const Project& project);
+/// The mean friction at both ends of the 95 % interval of the mean of the tests (Student's t), or
+/// where their number is not known of mean - std to mean + std; from 0 to 2. None without scatter.
+struct FrictionEnds {
+  double low = 0.0, high = 0.0;
+  std::string what;  ///< "95 % interval of the mean of 7 tests"
+};
+std::optional<FrictionEnds> friction_ends(const Project& project);
+/// On the steepest slope of the project.
+bool slides_freely_on(const Project& project, double friction);
 /// The intensity of the design earthquake (DBE) in the studies: S_DS, g, or the factor on the
 /// motions of a roof. That of the MCE is mce_over_dbe times it.
 double dbe_level(const Project& project);
@@ -203,6 +211,10 @@ std::vector<double> levels_of(const Project& project);
 /// The displacements of DesignClearance::compared, increasing, each once.
 std::vector<double> compared_displacements_m(const Project& project, double governing_m);
 
+/// Adds what the results of uncertainty_study() and of demand_study() give: the displacement of the
+/// analysis with one premise at either end, the largest over the project's conditions in all else.
+void add_model_uncertainty(const Project& project, const Results& demand,
+                           const Results& uncertainty, DesignClearance& design);
 /// Adds what the results of probability_study() give.
 void add_exceedance(const Project& project, const Results& probability, DesignClearance& design);
 

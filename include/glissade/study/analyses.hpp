@@ -8,6 +8,7 @@
 #include "glissade/study/analysis/hazard.hpp"
 #include "glissade/study/analysis/impact.hpp"
 #include "glissade/study/analysis/intensity_measures.hpp"
+#include "glissade/study/analysis/model_uncertainty.hpp"
 #include "glissade/study/analysis/rare.hpp"
 #include "glissade/study/analysis/sampling_error.hpp"
 #include "glissade/study/analysis/sensitivity.hpp"
@@ -22,7 +23,7 @@ namespace glissade {
 /// another's results comes after it. Where else an analysis is named, and why: src/README.md.
 using Analyses = AnalysisList<ClearanceAnalysis, BaseShearAnalysis, FragilityAnalysis,
                               StandardsAnalysis, ImpactAnalysis, ShapeAnalysis, HazardAnalysis,
-                              ChartAnalysis, TippingAnalysis, VerdictAnalysis, SensitivityAnalysis,
+                              ModelUncertaintyAnalysis, ChartAnalysis, TippingAnalysis, VerdictAnalysis, SensitivityAnalysis,
                               SamplingErrorAnalysis, RareAnalysis, IntensityMeasuresAnalysis>;
 
 }  // namespace glissade

@@ -126,4 +126,22 @@ inline double displacement_m(const Results& results, std::size_t record, std::si
                                                : results.histories.displacement_m(record, i, level);
 }
 
+/// Which of the frictions of a sample a run has.
+FrictionValue friction_value_of(const Results& results, const RunResults& run);
+/// Of the runs with the friction value of the first the one whose order (a number, or a pair) is
+/// largest; the first of equal ones. @param order of the position of a run
+template <class Order>
+std::size_t run_of_largest(const Results& results, const Order& order) {
+  std::size_t found = 0;
+  for (std::size_t i = 1; i < results.runs.size(); ++i)
+    if (friction_value_of(results, results.runs[i]) ==
+            friction_value_of(results, results.runs[0]) &&
+        order(i) > order(found))
+      found = i;
+  return found;
+}
+/// Which combination sentences are of: with the friction of the first the one that exceeds its
+/// clearances most, by the annual rates where there are some, else by the shares over all levels.
+std::size_t governing_run(const Results& results);
+
 }  // namespace glissade

@@ -58,7 +58,7 @@ class CalculationFolder {
 std::string page_text(const std::filesystem::path& folder, const std::string& page,
                       bool is_printed);
 
-/// Both studies of a project and its package; of several sites those of each, and their summary.
+/// The studies of a project and its package; of several sites those of each, and their summary.
 void run_calculation(const ClearanceOptions& options, const Communicator& world);
 /// The studies of a product and its sheet.
 void run_product(const ClearanceOptions& options, const Communicator& world);

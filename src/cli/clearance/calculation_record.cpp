@@ -110,9 +110,17 @@ std::string numbers_json(const CalculationPackage& package) {
   }
   for (const RoofPeak& roof : design.roof)
     json["roof_acceleration"].push_back(json_of(roof, !package.project.building.alpha.empty()));
-  for (const Sensitivity& s : design.sensitivity)
-    json["sensitivity"].push_back(
-        {{"input", s.what}, {"value", s.value}, {"required_m", s.clearance_m}});
+  json["mce_analysis_m"] = design.mce_analysis_m;
+  if (design.bound_analysis_m) json["bound_analysis_m"] = *design.bound_analysis_m;
+  for (const PremiseEffect& effect : design.uncertainty.effects)
+    json["model_uncertainty"].push_back({{"premise", effect.premise},
+                                         {"ends", effect.ends},
+                                         {"low", effect.low},
+                                         {"high", effect.high},
+                                         {"low_m", effect.result.low},
+                                         {"calculated_m", effect.result.calculated},
+                                         {"high_m", effect.result.high},
+                                         {"change", effect.result.change()}});
   for (const ExceedanceAt& e : design.exceedance) json["exceedance"].push_back(json_of(e, of_roof));
   for (const DisplacementExceedance& row : design.compared) {
     const char* governing = "governing displacement";
@@ -204,7 +212,8 @@ void write_finished_calculation(const CalculationIdentity& identity,
                                 const fs::path& folder) {
   write_text_file(folder / "package.json", numbers_json(package));
   CalculationJson results;
-  results["studies"] = {"demand/run.json", "probability/run.json"};
+  results["studies"] = {"demand/run.json", "uncertainty/run.json",
+                                  "probability/run.json"};
   add_results(results, package.project, package.design);
   results["warnings"] = warnings_of(package.design);
   write_end(identity,

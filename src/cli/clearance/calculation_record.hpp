@@ -9,7 +9,7 @@
 #include "glissade/report/site_sheets.hpp"
 #include "run/run_record.hpp"
 
-// run.json and package.json of a calculation, in the folder above those of its two studies.
+// run.json and package.json of a calculation, in the folder above those of its studies.
 namespace glissade::cli {
 
 /// What a calculation rests on.

@@ -139,6 +139,8 @@ void check_one(const Project& project) {
   const TrialFolder trial;
   const Plan demand =
       plan_of(trial.path() / "demand.toml", demand_study(project, trial.path()), suite);
+  const Plan uncertainty =
+      plan_of(trial.path() / "uncertainty.toml", uncertainty_study(project, trial.path()), suite);
   const Plan probability = plan_of(
       trial.path() / "probability.toml",
       probability_study(project, trial.path(),
@@ -163,6 +165,7 @@ void check_one(const Project& project) {
       project.friction.std, project.friction.design());
   print_prescribed(prescribed);
   print_plan("demand", demand);
+  print_plan("uncertainty", uncertainty);
   print_plan("probability", probability);
 }
 

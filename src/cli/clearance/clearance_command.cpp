@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
 
+#include <array>
 #include <filesystem>
 #include <optional>
 
@@ -35,7 +36,9 @@ std::vector<ComponentFile> component_files(const fs::path& suite) {
   return files;
 }
 
-/// Both studies and the package.
+constexpr std::array study_names{"demand", "uncertainty", "probability"};
+
+/// The studies and the package.
 class Calculation {
  public:
   /// @param site of several; none: the project has one
@@ -52,7 +55,7 @@ class Calculation {
   void run() {
     folder_.begin([&](const fs::path& file) {
       project_ = site_ ? read_project(file, *site_) : read_project(file);
-      return std::vector<std::string>{"demand", "probability"};
+      return std::vector<std::string>{study_names.begin(), study_names.end()};
     });
     try {
       folder_.run("demand", [&] { return demand_study(*project_, folder_.path()); });
@@ -60,6 +63,7 @@ class Calculation {
         demand_ = read_results(folder_.path() / "demand" / "results.h5");
         design_ = design_clearance(*project_, *demand_, load_suite(project_->suite));
       });
+      folder_.run("uncertainty", [&] { return uncertainty_study(*project_, folder_.path()); });
       folder_.run("probability", [&] {
         return probability_study(*project_, folder_.path(),
                                  compared_displacements_m(*project_, design_->governing_m));
@@ -75,6 +79,8 @@ class Calculation {
   void write() {
     const fs::path& out = folder_.path();
     const Results probability = read_results(out / "probability" / "results.h5");
+    add_model_uncertainty(*project_, *demand_,
+                          read_results(out / "uncertainty" / "results.h5"), *design_);
     add_exceedance(*project_, probability, *design_);
     const CalculationPackage package{*project_,
                                      *design_,
@@ -112,7 +118,7 @@ void run_sites(const ClearanceOptions& options, const Communicator& world, std::
     std::vector<std::string> studies;
     for (std::size_t i = 0; i < sites; ++i) {
       static_cast<void>(read_project(project, i));  // nothing runs where one is wrong
-      for (const char* study : {"demand", "probability"})
+      for (const char* study : study_names)
         studies.push_back(site_folder(i) + "/" + study);
     }
     return studies;

@@ -38,4 +38,6 @@ AnalysisInFiles FragilityAnalysis::in_files() {
 /// Its keys are in [sampling].
 AnalysisInFiles SamplingErrorAnalysis::in_files() { return {}; }
 
+AnalysisInFiles ModelUncertaintyAnalysis::in_files() { return {}; }
+
 }  // namespace glissade

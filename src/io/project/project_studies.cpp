@@ -2,6 +2,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <set>
+
 #include "glissade/core/contract.hpp"
 #include "glissade/design/design_clearance.hpp"
 #include "glissade/io/project_file.hpp"
@@ -73,14 +75,15 @@ std::string head_of(const Project& project, const fs::path& folder, const std::s
 /// @param write how ranges are written: as a list or as what lies between
 std::string building_of(const Project& project, const std::vector<double>& periods_s,
                         const std::vector<double>& mass_ratios,
-                        std::string (*write)(const std::vector<double>&)) {
+                        std::string (*write)(const std::vector<double>&),
+                        const std::vector<double>& dampings) {
   if (project.of_roof) return "";
   const std::vector<double>& alpha = project.building.alpha;
   const char* one_storey = project.building.storeys ? "storeys = 1\n" : "";
   return fmt::format("[building]\nperiod_s = {}\n{}mass_ratio = {}\ndamping = {}\n\n",
                      list_of(periods_s),
                      alpha.empty() ? one_storey : fmt::format("alpha = {}\n", write(alpha)),
-                     write(mass_ratios), project.building.damping);
+                     write(mass_ratios), list_of(dampings));
 }
 
 /// What both studies compare with is of S_DS, which the motions of a roof do not have.
@@ -94,6 +97,21 @@ std::string standards_of(const Project& project) {
       accepted_exceedance);
 }
 
+/// Of displacements, in all orientations, with and without vertical motion.
+std::string displacement_study(const Project& project, const std::string& head,
+                               const std::string& building, const std::vector<double>& slopes_deg,
+                               const std::string& friction) {
+  return head + building +
+         fmt::format(
+             "[vertical]\nuse = [\"none\", \"if_available\"]\n\n"
+             "[roof]\nslope_deg = {}\n\n"
+             "[friction]\nmu = {}\n\n"
+             "[orientation]\nchoice = \"all_permutations\"\n\n"
+             "[clearance]\n{}",
+             list_of(slopes_deg), friction,
+             project.without_target ? "without_target = true\n" : "");
+}
+
 }  // namespace
 
 std::string demand_study(const Project& project, const fs::path& folder) {
@@ -104,16 +122,29 @@ std::string demand_study(const Project& project, const fs::path& folder) {
     frictions.push_back(mu.value);
     what.push_back(mu.what);
   }
-  return head_of(project, folder, "demand", "displacement demand", {dbe, mce_over_dbe * dbe}) +
-         building_of(project, periods_of(project), mass_ratios_of(project), list_of) +
-         fmt::format(
-             "[vertical]\nuse = [\"none\", \"if_available\"]\n\n"
-             "[roof]\nslope_deg = {}\n\n"
-             "[friction]\nmu = {}   # {}\n\n"
-             "[orientation]\nchoice = \"all_permutations\"\n\n"
-             "[clearance]\n{}",
-             list_of(slopes_of(project)), list_of(frictions), fmt::join(what, ", "),
-             project.without_target ? "without_target = true\n" : "");
+  return displacement_study(
+      project,
+      head_of(project, folder, "demand", "displacement demand", {dbe, mce_over_dbe * dbe}),
+      building_of(project, periods_of(project), mass_ratios_of(project), list_of,
+                  {project.building.damping}),
+      slopes_of(project),
+      fmt::format("{}   # {}", list_of(frictions), fmt::join(what, ", ")));
+}
+
+std::string uncertainty_study(const Project& project, const fs::path& folder) {
+  std::set<double> frictions{project.friction.design()};
+  if (const auto ends = friction_ends(project))
+    for (const double mean : {ends->low, ends->high}) {
+      const double design = design_friction(Normal{mean, project.friction.std});
+      if (!slides_freely_on(project, design)) frictions.insert(design);
+    }
+  return displacement_study(
+      project,
+      head_of(project, folder, "uncertainty", "ends of friction and damping",
+              {dbe_level(project)}),
+      building_of(project, periods_of(project), project.building.mass_ratio, list_of,
+                  dampings_of(project)),
+      project.slope_deg, list_of({frictions.begin(), frictions.end()}));
 }
 
 std::string probability_study(const Project& project, const fs::path& folder,
@@ -127,7 +158,8 @@ std::string probability_study(const Project& project, const fs::path& folder,
                                    ? fmt::format("{{ mean = {}, std = {} }}", mu.mean, mu.std)
                                    : fmt::format("{}", mu.mean);
   return head_of(project, folder, "probability", "probability of exceedance", levels_of(project)) +
-         building_of(project, project.building.period_s, project.building.mass_ratio, between) +
+         building_of(project, project.building.period_s, project.building.mass_ratio, between,
+                     {project.building.damping}) +
          fmt::format(
              "[roof]\nslope_deg = {}\n\n"
              "[friction]\nmu = {}\n{}\n"

@@ -188,7 +188,7 @@ bool write_package(const CalculationPackage& package, const std::filesystem::pat
       demand_table(package),
       separations_table(package),
       open_items_table(package),
-      sensitivity_table(package),
+      uncertainty_table(package),
       exceedance_table(package),
       compared_table(package),
       roof_accelerations_table(package),
@@ -222,8 +222,8 @@ bool write_package(const CalculationPackage& package, const std::filesystem::pat
                                          : page_table(pull_tests_table(project.friction))) +
         section_heading(Section::motions) + motions_html(package, figures) +
         result_html(package, has_demand_figure ? figure_html(figures.at(1), 2) : Html()) +
-        separations_html(package) + section_heading(Section::sensitivity) +
-        page_table(sensitivity_table(package)) +
+        separations_html(package) + section_heading(Section::uncertainty) +
+        page_table(uncertainty_table(package)) +
         probability_html(package, figure_html(figures.back(), figures.size())) +
         section_heading(Section::plausibility) + page_table(roof_accelerations_table(package)) +
         by_hand_html(package) + section_heading(Section::provisions) +

@@ -94,6 +94,8 @@ Html governing_html(const CalculationPackage& package) {
   steps.push_back(fmt::format("Governing displacement: the larger, {}; rounded up to {}.",
                               length_in_both(design.governing_m, 1),
                               length_in_both(design.rounded_m)));
+  steps.push_back(deciding_sentence(design) +
+                  fmt::format(" Each premise: section {}.", number_of(Section::uncertainty)));
   return "<div class=\"short\">\n" + list(steps) + "</div>\n";
 }
 

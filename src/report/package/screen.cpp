@@ -98,7 +98,7 @@ std::string governing_lines(const CalculationPackage& package) {
                                     length_in_both(design.rounded_m)));
   text += line("", "by " + governed_by(package));
   if (design.floor_governs) text += line("", "after peer review the analysis alone: " + analysis);
-  return text;
+  return text + wrapped(deciding_sentence(design), terminal_width, 0) + "\n";
 }
 
 std::string separation_lines(const CalculationPackage& package) {

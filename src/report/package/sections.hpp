@@ -20,7 +20,7 @@ enum class Section {
   motions,
   result,
   separations,
-  sensitivity,
+  uncertainty,
   probability,
   plausibility,
   check,

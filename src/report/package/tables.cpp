@@ -10,6 +10,7 @@
 #include <tuple>
 
 #include "analysis/hazard/hazard.hpp"
+#include "analysis/model_uncertainty/model_uncertainty.hpp"
 #include "glissade/core/finite.hpp"
 #include "glissade/core/units.hpp"
 #include "glissade/design/of_project.hpp"
@@ -335,28 +336,40 @@ Table separations_table(const CalculationPackage& package) {
   return in_inches() ? table : table.without("required_ft");
 }
 
-Table sensitivity_table(const CalculationPackage& package) {
-  Table table{"sensitivity",
-              "Sensitivity: the required displacement of the analysis with one input changed, the "
-              "largest over all else that the project states",
-              {text_column("input", "Input"), text_column("value", "Value"),
-               text_column("displacement", "Required displacement"),
-               text_column("ratio", "Ratio to the governing case")},
-              {}};
-  for (const Sensitivity& row : package.design.sensitivity) {
-    table.add({row.what, row.value + (row.is_governing ? " *" : ""),
-               length_cell_in_both(row.clearance_m),
-               fixed(row.clearance_m / package.design.analysis_m, 2)});
-  }
-  table.notes.push_back("*: as in the governing case.");
+std::string deciding_sentence(const DesignClearance& design) {
+  return fmt::format(
+      "Largest change of the displacement of the analysis from one end to the other: {}.",
+      deciding_text(design.uncertainty));
+}
+
+Table uncertainty_table(const CalculationPackage& package) {
+  const DesignClearance& design = package.design;
+  Table table =
+      model_uncertainty_table(
+          {design.uncertainty},
+          "What the premises and the records change: the displacement of the analysis with one at "
+          "either end, the largest over all else that the project states",
+          {{text_column("displacement", "displacement"), &PremiseEffect::result,
+            [](double displacement_m) -> Cell {
+              if (std::isinf(displacement_m)) return "slides without an earthquake";
+              return length_cell_in_both(displacement_m);
+            }}})
+          .without("threshold");
+  table.notes.push_back(deciding_sentence(design));
+  table.notes.push_back(fmt::format("At the MCE the displacement of the analysis is {}.",
+                                    length_in_both(design.mce_analysis_m)));
+  if (design.floor_governs)
+    table.notes.push_back(fmt::format("The least value of the standard governs, {}: a change up to "
+                                      "there has no effect on the separations.",
+                                      length_in_both(design.floor_m, 1)));
   const ProjectFriction& mu = package.project.friction;
-  const auto has_bound = [&](const StudiedFriction& f) { return f.value == mu.lower_bound; };
-  if (mu.lower_bound && *mu.lower_bound < mu.design() &&
-      std::ranges::none_of(frictions_of(package.project), has_bound))
-    table.notes.push_back(
-        fmt::format("With the friction that the tests support with 95 % confidence, {:.3f}, the "
-                    "array slides without an earthquake on the steepest slope: no displacement.",
-                    *mu.lower_bound));
+  if (mu.lower_bound && *mu.lower_bound < mu.design())
+    table.notes.push_back(fmt::format(
+        "With the friction that the tests support with 95 % confidence, {:.3f}, {}.",
+        *mu.lower_bound,
+        design.bound_analysis_m
+            ? "the displacement is " + length_in_both(*design.bound_analysis_m)
+            : "the array slides without an earthquake on the steepest slope: no displacement"));
   return table;
 }
 

@@ -40,7 +40,9 @@ Table demand_table(const CalculationPackage& package);
 std::string separation_letter(std::size_t row);
 Table separations_table(const CalculationPackage& package);
 Table open_items_table(const CalculationPackage& package);
-Table sensitivity_table(const CalculationPackage& package);
+Table uncertainty_table(const CalculationPackage& package);
+/// Whether records or premises decide the displacement of the analysis.
+std::string deciding_sentence(const DesignClearance& design);
 Table exceedance_table(const CalculationPackage& package);
 /// The governing displacement and what the available separations allow.
 Table compared_table(const CalculationPackage& package);

@@ -25,16 +25,16 @@ constexpr const char* list_name = "report_files.txt";
 /// Of any results folder that a command began: run.json or the journal states it.
 constexpr std::array begun_names{"run.json",  "results.h5",  "stop",         "report_files.txt",
                                  "journal/",  "journal/run", "journal/lock", "journal/#-#.units",
-                                 "tables/",   "figures/",    "demand/",      "probability/",
-                                 "target_#/", "site_#/"};
+                                 "tables/",   "figures/",    "demand/",      "uncertainty/",
+                                 "target_#/", "site_#/",     "probability/"};
 /// Listed in report_files.txt: first those that a report replaces.
 constexpr std::array report_names{"report.html",   "package.html", "product.html",
                                   "sites.html",    "tables/*.csv", "figures/*.svg",
                                   "figures/*.pdf", "figures/*.gp", "figures/*.dat"};
-constexpr std::array calculation_names{"demand.toml",  "probability.toml", "target_#.toml",
-                                       "package.json", "package.pdf",      "package.xlsx",
-                                       "product.json", "product.pdf",      "product.xlsx",
-                                       "sites.json",   "sites.pdf",        "sites.xlsx"};
+constexpr std::array calculation_names{
+    "demand.toml",  "uncertainty.toml", "probability.toml", "target_#.toml", "package.json",
+    "package.pdf",  "package.xlsx",     "product.json",     "product.pdf",   "product.xlsx",
+    "sites.json",   "sites.pdf",        "sites.xlsx"};
 
 bool is_number(std::string_view text) {
   return !text.empty() &&

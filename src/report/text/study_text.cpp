@@ -139,27 +139,6 @@ std::string run_name(const Results& results, const RunResults& run) {
   return listed.empty() ? run.label + " friction" : listed;
 }
 
-FrictionValue friction_value_of(const Results& results, const RunResults& run) {
-  return run.first_case < results.cases.cases.size()
-             ? results.cases.cases[run.first_case].friction_value
-             : FrictionValue::as_drawn;
-}
-
-std::size_t governing_run(const Results& results) {
-  const auto exceeds = [&](std::size_t i) {
-    double sum = 0.0;
-    if (results.hazard) {
-      for (const ThresholdRate& row : results.hazard->runs[i].thresholds)
-        sum += std::log(std::max(row.annual_rate.value, std::numeric_limits<double>::min()));
-      return sum;
-    }
-    for (const ThresholdFragility& fragility : results.runs[i].fragilities)
-      for (const double share : fragility.probability) sum += share;
-    return sum;
-  };
-  return run_of_largest(results, exceeds);
-}
-
 std::string governing_text(const Results& results) {
   const RunResults& run = results.runs[governing_run(results)];
   if (!lists_more_than_friction_value(results)) return "friction " + run.friction;

@@ -91,23 +91,6 @@ std::size_t combination_of(const Results& results, const RunResults& run);
 const SlipStatistics* slip_at(const RunResults& run, double level);
 /// What a run is in words: "sampled friction, building period 0.5 s".
 std::string run_name(const Results& results, const RunResults& run);
-/// Which of the frictions of a sample a run has.
-FrictionValue friction_value_of(const Results& results, const RunResults& run);
-/// Of the runs with the friction value of the first the one whose order (a number, or a pair) is
-/// largest; the first of equal ones. @param order of the position of a run
-template <class Order>
-std::size_t run_of_largest(const Results& results, const Order& order) {
-  std::size_t found = 0;
-  for (std::size_t i = 1; i < results.runs.size(); ++i)
-    if (friction_value_of(results, results.runs[i]) ==
-            friction_value_of(results, results.runs[0]) &&
-        order(i) > order(found))
-      found = i;
-  return found;
-}
-/// Which combination sentences are of: with the friction of the first the one that exceeds its
-/// clearances most, by the annual rates where there are some, else by the shares over all levels.
-std::size_t governing_run(const Results& results);
 /// What that run is, in full.
 std::string governing_text(const Results& results);
 /// "mu normal, mean 0.55, std 0.04; building period 0.5 s".

@@ -68,7 +68,7 @@ ThresholdFragility fit_threshold(const Results& results, const RunResults& run,
   ThresholdFragility fragility;
   fragility.threshold_m = results.thresholds_m[threshold];
   fragility.on_stripes = results.by_stripes;
-  const std::vector<Stripe> stripes = stripes_of(results, slice_of(run), threshold);
+  const std::vector<Stripe> stripes = stripes_of(results, all_of(slice_of(run)), threshold);
   fragility.stripes =
       fit_stripes(stripes, Independent::records,
                   results.by_stripes ? run.band_intensities : std::vector<double>());

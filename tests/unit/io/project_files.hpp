@@ -70,6 +70,9 @@ class ProjectFiles : public testing::Test {
   StudyConfig demand_of(const std::string& text) {
     return study_of(demand_study(read(text), folder_.path()));
   }
+  StudyConfig uncertainty_of(const std::string& text) {
+    return study_of(uncertainty_study(read(text), folder_.path()));
+  }
   StudyConfig probability_of(const std::string& text, const std::vector<double>& thresholds_m) {
     return study_of(probability_study(read(text), folder_.path(), thresholds_m));
   }

@@ -70,7 +70,7 @@ TEST_F(FrictionOfProject, that_is_typed_is_bounded_by_the_number_of_tests) {
   EXPECT_LT(*project.friction.lower_bound, 0.5 - 3.399 * 0.04);
   EXPECT_GT(*project.friction.lower_bound, 0.5 - 4.641 * 0.04);
   const std::vector<StudiedFriction> frictions = frictions_of(project);
-  ASSERT_EQ(frictions.size(), 4u);
+  ASSERT_EQ(frictions.size(), 2u);
   EXPECT_EQ(frictions[0].value, *project.friction.lower_bound);
   EXPECT_EQ(frictions[1].value, project.friction.design());
 }

@@ -86,6 +86,7 @@ TEST(results_file, are_tested_with_every_analysis) {
   EXPECT_THAT(tables, testing::IsSupersetOf({"clearances", "base_shear", "fragility", "standards",
                                              "impact", "shape", "hazard", "chart", "tipping",
                                              "verdict", "sensitivity", "sampling_error",
+                                             "model_uncertainty",
                                              "sampling_target", "rare", "intensity_measures"}));
 }
 

@@ -47,13 +47,18 @@ std::vector<Bracket> capacities_of(const HistoryTable& histories,
   return rows;
 }
 
-std::vector<Bracket> capacities_of(const Results& results, CaseSlice cases, std::size_t threshold) {
+std::vector<std::size_t> all_of(CaseSlice cases) {
   std::vector<std::size_t> all(cases.count);
   std::iota(all.begin(), all.end(), cases.first);
-  return capacities_of(results.histories, all, threshold, results.levels.back());
+  return all;
 }
 
-std::vector<Stripe> stripes_of(const Results& results, CaseSlice cases, std::size_t threshold) {
+std::vector<Bracket> capacities_of(const Results& results, CaseSlice cases, std::size_t threshold) {
+  return capacities_of(results.histories, all_of(cases), threshold, results.levels.back());
+}
+
+std::vector<Stripe> stripes_of(const Results& results, const std::vector<std::size_t>& cases,
+                               std::size_t threshold) {
   const HistoryTable& table = results.histories;
   const auto needs_shaking = [&](std::size_t record, std::size_t i) {
     return results.by_stripes ? !slides_freely(results.cases.cases[i])
@@ -63,10 +68,10 @@ std::vector<Stripe> stripes_of(const Results& results, CaseSlice cases, std::siz
   std::vector<Stripe> rows;
   for (std::size_t record = 0; record < table.records; ++record) {
     std::vector<std::size_t> others;  // than those that slide freely
-    for (std::size_t i = cases.first; i < cases.first + cases.count; ++i)
+    for (const std::size_t i : cases)
       if (needs_shaking(record, i)) others.push_back(i);
     const auto trials = static_cast<double>(others.size()),
-               free = static_cast<double>(cases.count) - trials;
+               free = static_cast<double>(cases.size()) - trials;
     if (motions[record] == record) rows.push_back({0.0, free, free, 1.0, record});
     for (std::size_t level = 0; level < results.levels.size(); ++level) {
       if (!table.has(record, level)) continue;
@@ -107,7 +112,7 @@ ShapeData shape_data(const Results& results, CaseSlice cases) {
                  .thresholds_m = results.thresholds_m,
                  .slips = slips_of(results, cases)};
   for (std::size_t t = 0; t < results.thresholds_m.size(); ++t) {
-    data.stripes.push_back(stripes_of(results, cases, t));
+    data.stripes.push_back(stripes_of(results, all_of(cases), t));
     data.capacities.push_back(capacities_of(results, cases, t));
   }
   return data;

@@ -8,6 +8,8 @@ namespace glissade {
 
 // What the histories of some cases give of one threshold.
 
+std::vector<std::size_t> all_of(CaseSlice cases);
+
 /// Capacities, exact or above the highest level.
 std::vector<Bracket> capacities_of(const HistoryTable& histories,
                                    const std::vector<std::size_t>& cases, std::size_t threshold,
@@ -16,7 +18,8 @@ std::vector<Bracket> capacities_of(const Results& results, CaseSlice cases, std:
 
 /// Counts at the levels. Of multiple stripes by motion: one that is in several stripes is one
 /// record of the data, whose histories depend on each other.
-std::vector<Stripe> stripes_of(const Results& results, CaseSlice cases, std::size_t threshold);
+std::vector<Stripe> stripes_of(const Results& results, const std::vector<std::size_t>& cases,
+                               std::size_t threshold);
 
 /// Of all thresholds, with the displacements where all of them are known.
 ShapeData shape_data(const Results& results, CaseSlice cases);
