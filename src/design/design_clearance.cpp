@@ -306,7 +306,7 @@ std::vector<ExceedanceAt> exceedance_of(const Results& probability, double displ
     const double share = threshold.probability[at];
     found.push_back(
         {name, level, probability.cases.cases[run.first_case].period_s, share,
-         widened(threshold.probability_interval[at], share, probability.records.size())});
+         widened(threshold.probability_interval[at], share, effective_units(probability))});
   }
   return found;
 }

@@ -22,7 +22,7 @@ struct IndexRange {
 
 /// What the jackknife leaves out.
 struct Omitted {
-  IndexRange records, samples;
+  IndexRange units, samples;
 };
 
 /// 0 to count in up to so many parts of even size.
@@ -37,6 +37,7 @@ std::vector<IndexRange> parts_of(std::size_t count, std::size_t most_parts) {
 /// Components of variance and shares without intervals.
 struct Estimates {
   double of_records = 0.0, of_samples = 0.0, of_both = 0.0;
+  double of_units = 0.0;       ///< as of_records, from the sums of units: of the error of the mean
   std::vector<double> shares;  ///< first and total: of records, all drawn, each factor
 
   double variance() const { return of_records + of_samples + of_both; }
@@ -46,7 +47,7 @@ class Estimator {
  public:
   Estimator(const CrossedResponse& response, const Omitted& omitted) : y_(response) {
     for (std::size_t r = 0; r < response.records(); ++r) {
-      if (!omitted.records.has(r)) records_.push_back(r);
+      if (!omitted.units.has(response.unit(r))) records_.push_back(r);
     }
     for (std::size_t k = 0; k < response.samples(); ++k) {
       if (!omitted.samples.has(k)) samples_.push_back(k);
@@ -87,11 +88,20 @@ class Estimator {
       }
     }
     double between_records = 0.0, between_samples = 0.0;
-    for (const double mean : of_record) between_records += (mean - all) * (mean - all);
+    std::vector<double> of_unit(y_.units());
+    for (std::size_t i = 0; i < records_.size(); ++i) {
+      between_records += (of_record[i] - all) * (of_record[i] - all);
+      of_unit[y_.unit(records_[i])] += of_record[i] - all;
+    }
     for (const double mean : of_sample) between_samples += (mean - all) * (mean - all);
     const double rest = squares - n * m * all * all - m * between_records - n * between_samples;
     e.of_both = std::max(0.0, rest) / ((n - 1.0) * (m - 1.0));
     e.of_records = between_records / (n - 1.0) - e.of_both / m;
+    double between_units = 0.0;
+    for (const double sum : of_unit) between_units += sum * sum;
+    const double u = static_cast<double>(y_.units());
+    between_units *= (u / (u - 1.0)) / (n / (n - 1.0));
+    e.of_units = between_units / (n - 1.0) - e.of_both / m;
     e.of_samples = between_samples / (m - 1.0) - e.of_both / n;
   }
 
@@ -250,20 +260,20 @@ CrossedResponse centred(CrossedResponse response, double mean) {
 
 std::vector<VarianceShare> shares_of(const CrossedResponse& response, const Estimates& all) {
   constexpr std::size_t most_groups = 16, most_record_groups = 64;
-  std::vector<Omitted> records, samples;
-  for (const IndexRange& part : parts_of(response.records(), most_record_groups))
-    records.push_back({part, {}});
+  std::vector<Omitted> units, samples;
+  for (const IndexRange& part : parts_of(response.units(), most_record_groups))
+    units.push_back({part, {}});
   const bool has_blocks = response.blocks() > 1;
-  const std::size_t units = has_blocks ? response.blocks() : response.samples(),
-                    size = response.samples() / units;
-  for (const IndexRange& part : parts_of(units, has_blocks ? most_record_groups : most_groups))
+  const std::size_t of_samples = has_blocks ? response.blocks() : response.samples(),
+                    size = response.samples() / of_samples;
+  for (const IndexRange& part : parts_of(of_samples, has_blocks ? most_record_groups : most_groups))
     samples.push_back({{}, {part.first * size, part.end * size}});
-  const std::vector<double> by_record = jackknife(response, records),
+  const std::vector<double> by_record = jackknife(response, units),
                             by_sample = jackknife(response, samples);
   std::vector<VarianceShare> shares;
   for (std::size_t i = 0; i < all.shares.size(); ++i)
     shares.push_back(
-        share(all.shares[i], {by_record[i], by_sample[i], static_cast<double>(records.size()),
+        share(all.shares[i], {by_record[i], by_sample[i], static_cast<double>(units.size()),
                               static_cast<double>(samples.size())}));
   return shares;
 }
@@ -302,7 +312,7 @@ FactorGroups groups_of(const std::vector<double>& values) {
 }
 
 SobolIndices sobol_indices(const CrossedResponse& response) {
-  GLISSADE_EXPECTS(response.records() >= 3 && response.samples() >= 2);
+  GLISSADE_EXPECTS(response.units() >= 3 && response.samples() >= 2);
   SobolIndices indices;
   indices.mean = mean_of(response);
   if (!varies(response)) {
@@ -316,7 +326,7 @@ SobolIndices sobol_indices(const CrossedResponse& response) {
   indices.variance = all.variance();
   const double n = static_cast<double>(y.records()),
                m = static_cast<double>(y.plain_matrices() * y.samples());
-  indices.record_error = std::sqrt(std::max(0.0, all.of_records) / n);
+  indices.record_error = std::sqrt(std::max(0.0, all.of_units) / n);
   indices.sample_error = std::sqrt(std::max(0.0, all.of_samples) / m + all.of_both / (n * m));
   const std::vector<VarianceShare> shares = shares_of(y, all);
   indices.records = {shares[0], shares[1]};

@@ -35,7 +35,9 @@ bool departs_from_lognormal(const GoodnessOfFit& fit);
 /// `options.replicates` beyond 199 are not used. @param rows exact, or above one highest level.
 /// @param stratified the histories of a record are stratified samples (Sobol points), which scatter
 /// less: in a replicate a record of more than 64 has 64, one in each of equal parts of probability
+/// @param unit_of by record: the event, whose records' capacities are correlated too; empty: none
 GoodnessOfFit lognormal_goodness_of_fit(const std::vector<Bracket>& rows,
-                                        const BootstrapOptions& options, bool stratified = false);
+                                        const BootstrapOptions& options, bool stratified = false,
+                                        const std::vector<std::size_t>& unit_of = {});
 
 }  // namespace glissade

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
 #include <vector>
 
 #include "glissade/fragility/bootstrap.hpp"
@@ -12,8 +13,13 @@ struct RecordRegression {
   std::vector<double> value;
   std::vector<bool> censored;                   ///< known only to be above `value`
   std::vector<std::vector<double>> covariates;  ///< by (covariate, record)
+  std::vector<std::size_t> unit_of = {};        ///< by record, from 0; empty: each is independent
 
   std::size_t records() const { return value.size(); }
+  std::size_t unit(std::size_t record) const { return unit_of.empty() ? record : unit_of[record]; }
+  std::size_t units() const {
+    return unit_of.empty() ? records() : 1 + *std::ranges::max_element(unit_of);
+  }
   std::size_t unknowns() const { return 1 + covariates.size(); }
 };
 
@@ -23,7 +29,7 @@ struct RecordRegression {
 struct RecordFit {
   std::vector<double> coefficients;  ///< intercept, then slopes
   double std = 0.0;                  ///< of the residual, with n - unknowns below the line
-  double log_std_error = 0.0;        ///< standard error of ln std, by the fourth moment
+  double log_std_error = 0.0;        ///< standard error of ln std, by the fourth moment over units
   double log_likelihood = 0.0;
 };
 /// `weights`: how often each record counts; empty: once. Expects more records than unknowns.
@@ -37,7 +43,7 @@ struct SlopeTest {
 };
 SlopeTest test_slope(const RecordRegression& data, const std::vector<double>& covariate);
 
-/// The interval of each regression's std (bootstrap over records as for log_std of a fit), all from
+/// The interval of each regression's std (bootstrap over units as for log_std of a fit), all from
 /// the same resamples, and the share of these in which it is the smallest.
 struct RecordDispersion {
   double std;

@@ -17,7 +17,7 @@ struct ShapeData {
   std::vector<double> intensities, thresholds_m;  ///< both rise
   std::vector<std::vector<Stripe>> stripes;       ///< by threshold
   std::vector<std::vector<Bracket>> capacities;   ///< by threshold: exact, or above a highest level
-  std::vector<std::vector<SlipSums>> slips;       ///< [record][level]; empty: not all are known
+  std::vector<std::vector<SlipSums>> slips;       ///< [unit][level]; empty: not all are known
 };
 
 /// The probability of exceedance as a function of the intensity x.

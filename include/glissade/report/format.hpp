@@ -59,8 +59,8 @@ std::string format_p(double p_value);
 /// The same as a cell of a table: "0.12", "<= 0.005".
 NumberCell p_cell(double p_value);
 
-/// That so few records leave the interval of the 84th percentile open; "" of more.
-std::string open_percentile(std::size_t records);
+/// That so few records, or events, leave the interval of the 84th percentile open; "" of more.
+std::string open_percentile(std::size_t units, const std::string& name = "records");
 
 /// "SEAOC PV1-2012", "ASCE 7-16".
 std::string standard_name(Standard standard);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <utility>
 #include <vector>
@@ -35,6 +36,14 @@ class CrossedResponse {
     values_.resize(records * samples_);
   }
   std::size_t records() const { return records_; }
+  /// Records that depend on each other, by their unit, from 0; each is its own unless stated.
+  void set_units(std::vector<std::size_t> unit_of) { unit_of_ = std::move(unit_of); }
+  std::size_t unit(std::size_t record) const {
+    return unit_of_.empty() ? record : unit_of_[record];
+  }
+  std::size_t units() const {
+    return unit_of_.empty() ? records_ : 1 + *std::ranges::max_element(unit_of_);
+  }
   std::size_t factors() const { return factors_; }
   std::size_t samples() const { return samples_; }
   bool is_given_data() const { return !groups_.empty(); }
@@ -57,6 +66,7 @@ class CrossedResponse {
  private:
   std::size_t records_, factors_, samples_, blocks_ = 1;
   std::vector<FactorGroups> groups_;
+  std::vector<std::size_t> unit_of_;
   std::vector<double> values_;
 };
 
@@ -88,9 +98,9 @@ struct SobolIndices {
 /// Saltelli et al. (2010), total by Jansen (1999); of given data the first order by the variance
 /// between groups (of Sobol points by products of different blocks: their groups scatter less than
 /// independent samples), the total is not known (NaN). Equations: theory.md, 6.7. Intervals:
-/// jackknife over records (64 groups at most) and over 16 groups of samples, or the blocks, both
+/// jackknife over units (64 groups at most) and over 16 groups of samples, or the blocks, both
 /// added (Sobol points in place of independent ones make them somewhat wide); Student t by
-/// Satterthwaite. All shares are NaN where the response does not vary. Three records or more, two
+/// Satterthwaite. All shares are NaN where the response does not vary. Three units or more, two
 /// samples or more.
 SobolIndices sobol_indices(const CrossedResponse& response);
 

@@ -117,6 +117,11 @@ struct Results : Analyses::InResults {
   std::size_t warnings_of_run = 0, notes_of_run = 0;
 };
 
+/// What intervals are over: the events of the records, where they are stated.
+std::vector<std::size_t> event_units(const std::vector<RecordSummary>& records);
+std::size_t unit_count(const Results& results);
+double effective_units(const Results& results);  ///< as many of one record each (Kish 1965)
+
 inline bool slides_on_two_axes(const Results& results) { return results.axes == SlidingAxes::two; }
 
 /// Of a history, by the study's measure; infinite where the array slides freely.

@@ -65,6 +65,21 @@ RecordRegression with(RecordRegression data, const std::vector<double>& covariat
   return data;
 }
 
+/// Of each unit: how often it counts, and the sum of its records' departures.
+struct UnitSums {
+  Eigen::ArrayXd weights, departures;
+  UnitSums(const RecordRegression& data, const Eigen::ArrayXd& of_records,
+           const Eigen::ArrayXd& record_weights)
+      : weights(Eigen::ArrayXd::Zero(static_cast<Eigen::Index>(data.units()))),
+        departures(weights) {
+    for (Eigen::Index i = 0; i < of_records.size(); ++i) {
+      const auto unit = static_cast<Eigen::Index>(data.unit(static_cast<std::size_t>(i)));
+      weights[unit] = record_weights[i];
+      departures[unit] += of_records[i];
+    }
+  }
+};
+
 fragility::EstimateWithError log_std_of(const RecordFit& fit) {
   return {std::log(fit.std), fit.log_std_error};
 }
@@ -95,9 +110,10 @@ RecordFit fit_records(const RecordRegression& data, const std::vector<double>& w
     if (!censored || std::abs(std - before) <= 1e-10 * std) break;
   }
   const double variance = std * std;
+  const UnitSums of(data, squares - variance, w);
   return {{coefficients.begin(), coefficients.end()},
           std * std::sqrt(n / (n - unknowns)),
-          std::sqrt((w * (squares - variance).square()).sum()) / (2.0 * n * variance),
+          std::sqrt((of.weights * of.departures.square()).sum()) / (2.0 * n * variance),
           log_likelihood(data, w, mean, std)};
 }
 
@@ -116,17 +132,20 @@ SlopeTest test_slope(const RecordRegression& data, const std::vector<double>& co
 std::vector<RecordDispersion> record_dispersions(const std::vector<RecordRegression>& regressions,
                                                  const BootstrapOptions& options) {
   GLISSADE_EXPECTS(!regressions.empty());
-  const std::size_t records = regressions.front().records();
+  const std::size_t units = regressions.front().units();
   using Logs = std::vector<fragility::EstimateWithError>;
   std::vector<Logs> replicates(regressions.size());
   std::vector<double> smallest(regressions.size(), 0.0);
-  const auto of_resample = [&](const std::vector<double>& weights) {
+  const auto of_resample = [&](const std::vector<double>& of_units) {
+    std::vector<double> weights;
+    for (std::size_t i = 0; i < regressions.front().records(); ++i)
+      weights.push_back(of_units[regressions.front().unit(i)]);
     Logs logs;
     for (const RecordRegression& data : regressions)
       logs.push_back(log_std_of(fit_records(data, weights)));
     return logs;
   };
-  for (const Logs& logs : fragility::resampled(records, options, of_resample)) {
+  for (const Logs& logs : fragility::resampled(units, options, of_resample)) {
     const double least = std::ranges::min(logs, {}, &fragility::EstimateWithError::value).value;
     for (std::size_t i = 0; i < regressions.size(); ++i) {
       replicates[i].push_back(logs[i]);
@@ -137,7 +156,7 @@ std::vector<RecordDispersion> record_dispersions(const std::vector<RecordRegress
   for (std::size_t i = 0; i < regressions.size(); ++i) {
     const RecordFit fit = fit_records(regressions[i]);
     const Interval logs = fragility::log_std_interval(
-        log_std_of(fit), replicates[i], records - regressions[i].covariates.size(), options.level);
+        log_std_of(fit), replicates[i], units - regressions[i].covariates.size(), options.level);
     all.push_back({fit.std, {std::exp(logs.low), std::exp(logs.high)}, smallest[i]});
   }
   return all;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numeric>
 
 #include "glissade/core/contract.hpp"
@@ -51,20 +52,42 @@ double lower_end(double trials, double successes, double tail) {
 
 }  // namespace
 
+UnitValues::UnitValues(const std::vector<double>& values, const std::vector<std::size_t>& unit_of) {
+  GLISSADE_EXPECTS(values.size() == unit_of.size());
+  std::map<std::size_t, std::size_t> places;  // by unit, in the order of their first records
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    const std::size_t at = places.try_emplace(unit_of[i], places.size()).first->second;
+    if (at == means.size()) {
+      means.push_back(0.0);
+      records.push_back(0.0);
+    }
+    means[at] += values[i];
+    ++records[at];
+  }
+  for (std::size_t i = 0; i < means.size(); ++i) means[i] /= records[i];
+}
+
+double effective_number(const UnitValues& values) {
+  std::vector<double> sums;
+  for (std::size_t i = 0; i < values.means.size(); ++i)
+    sums.push_back(values.means[i] * values.records[i]);
+  return effective_number(sums);
+}
+
 double effective_number(const std::vector<double>& parts) {
   const double sum = std::accumulate(parts.begin(), parts.end(), 0.0);
   return sum * sum / std::inner_product(parts.begin(), parts.end(), parts.begin(), 0.0);
 }
 
 Interval share_interval(const std::vector<double>& shares, double level) {
-  return share_interval(shares, std::vector<double>(shares.size(), 1.0), level);
+  return share_interval(UnitValues(shares), level);
 }
 
-Interval share_interval(const std::vector<double>& shares, const std::vector<double>& histories,
-                        double level) {
-  GLISSADE_EXPECTS(level > 0.0 && level < 1.0 && shares.size() == histories.size());
+Interval share_interval(const UnitValues& units, double level) {
+  const std::vector<double>& shares = units.means;
+  GLISSADE_EXPECTS(level > 0.0 && level < 1.0 && shares.size() == units.records.size());
   if (shares.size() < 2) return {};
-  const Shares of{shares, histories};
+  const Shares of{shares, units.records};
   const bool decided = of.mean <= 0.0 || of.mean >= 1.0;
   if (!decided && std::ranges::count(shares, shares.front()) == std::ssize(shares))
     return {of.mean, of.mean};
@@ -90,8 +113,8 @@ std::size_t records_that_bound(double probability) {
   return static_cast<std::size_t>(std::ceil(std::log(0.025) / std::log1p(-probability)));
 }
 
-Interval widened(const Interval& interval, double probability, std::size_t records) {
-  const double none = std::pow(0.025, 1.0 / static_cast<double>(records));
+Interval widened(const Interval& interval, double probability, double units) {
+  const double none = std::pow(0.025, 1.0 / units);
   Interval wide = interval;
   if (std::isnan(interval.low) || std::isnan(interval.high)) wide = {probability, probability};
   if (probability <= 0.5) wide.high = std::max(wide.high, 1.0 - none);

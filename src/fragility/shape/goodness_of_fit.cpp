@@ -61,6 +61,7 @@ double both_below(double z, double correlation) {
 struct RecordSample {
   std::vector<double> y;
   double count = 0.0;
+  std::size_t unit = 0;
   double share_below(double limit) const {
     return static_cast<double>(std::ranges::upper_bound(y, limit) - y.begin());
   }
@@ -102,27 +103,66 @@ double correlation_in(const std::vector<RecordSample>& records, const std::vecto
   return root_between(excess, 0.0, largest, 20);
 }
 
-/// Capacities as the null model has them: lognormal, correlated within records.
+/// The records of each unit together.
+std::vector<RecordSample> units_of(const std::vector<RecordSample>& records) {
+  std::map<std::size_t, RecordSample> units;
+  for (const RecordSample& record : records) {
+    RecordSample& unit = units[record.unit];
+    unit.count += record.count;
+    unit.y.insert(unit.y.end(), record.y.begin(), record.y.end());
+  }
+  std::vector<RecordSample> all;
+  for (auto& [name, unit] : units) {
+    std::ranges::sort(unit.y);
+    all.push_back(std::move(unit));
+  }
+  return all;
+}
+
+/// Correlation of the capacities of two records of a unit: that of all pairs of a unit is the mean
+/// of it and of that `in_record`, by the numbers of pairs.
+double correlation_between(const std::vector<RecordSample>& records,
+                           const std::vector<RecordSample>& units, double in_record,
+                           const std::vector<double>& pooled) {
+  const auto pairs = [](const std::vector<RecordSample>& samples) {
+    double sum = 0;
+    for (const RecordSample& sample : samples) sum += sample.count * (sample.count - 1);
+    return sum;
+  };
+  const double all = pairs(units), within = pairs(records);
+  if (all == within) return 0;
+  const double of_all = correlation_in(units, pooled);
+  return std::clamp((of_all * all - in_record * within) / (all - within), 0.0,
+                    within > 0 ? in_record : 1.0);
+}
+
+/// Capacities as the null model has them: lognormal, correlated within records and within units.
 class NullModel {
  public:
-  NullModel(const std::vector<RecordSample>& records, double correlation, double z_censored,
-            std::uint64_t seed, bool stratified)
+  NullModel(const std::vector<RecordSample>& records, double correlation, double between,
+            double z_censored, std::uint64_t seed, bool stratified)
       : records_(records),
         correlation_(correlation),
+        between_(between),
         z_censored_(z_censored),
         seed_(seed),
         stratified_(stratified) {}
 
   /// In units of z: the fitted median is 0 and log_std is 1.
   PooledCapacities draw(std::uint64_t replicate) const {
-    constexpr std::uint32_t strata = 64;
+    constexpr std::uint32_t strata = 64, unit_index = ~std::uint32_t{0};
     PooledCapacities sample{.censored_at = z_censored_};
     for (std::size_t i = 0; i < records_.size(); ++i) {
       const std::uint64_t item = replicate * records_.size() + i;
       const auto uniform = [&](std::uint32_t index) {
         return keyed_uniform(seed_, RandomPurpose::goodness_of_fit, item, index);
       };
-      const double shift = std::sqrt(correlation_) * normal_quantile(uniform(0));
+      double shift = std::sqrt(correlation_ - between_) * normal_quantile(uniform(0));
+      if (between_ > 0)
+        shift += std::sqrt(between_) *
+                 normal_quantile(keyed_uniform(seed_, RandomPurpose::goodness_of_fit,
+                                               replicate * records_.size() + records_[i].unit,
+                                               unit_index));
       const bool in_strata = stratified_ && records_[i].count > strata;
       const auto count = in_strata ? strata : static_cast<std::uint32_t>(records_[i].count);
       for (std::uint32_t j = 0; j < count; ++j) {
@@ -141,7 +181,7 @@ class NullModel {
 
  private:
   const std::vector<RecordSample>& records_;
-  double correlation_, z_censored_;
+  double correlation_, between_, z_censored_;
   std::uint64_t seed_;
   bool stratified_;
 };
@@ -180,7 +220,8 @@ bool departs_from_lognormal(const GoodnessOfFit& fit) {
 }
 
 GoodnessOfFit lognormal_goodness_of_fit(const std::vector<Bracket>& rows,
-                                        const BootstrapOptions& options, bool stratified) {
+                                        const BootstrapOptions& options, bool stratified,
+                                        const std::vector<std::size_t>& unit_of) {
   std::vector<double> exact;
   for (const Bracket& row : rows)
     if (row.low > 0 && row.low == row.high) exact.push_back(row.low);
@@ -190,6 +231,7 @@ GoodnessOfFit lognormal_goodness_of_fit(const std::vector<Bracket>& rows,
   for (const Bracket& row : rows) {
     if (row.high == 0) continue;
     RecordSample& record = by_record[row.record];
+    record.unit = unit_of.empty() ? row.record : unit_of[row.record];
     ++record.count;
     const double y = std::log(row.low) - center;
     if (row.low == row.high) {
@@ -210,12 +252,14 @@ GoodnessOfFit lognormal_goodness_of_fit(const std::vector<Bracket>& rows,
   GoodnessOfFit result;
   const LogRows data = pooled.rows();
   const PointFit fit = fit_point(data, first_guess(data));
-  if (samples.size() < 3 || fit.status != FitStatus::maximum_likelihood) return result;
+  const std::vector<RecordSample> units = units_of(samples);
+  if (units.size() < 3 || fit.status != FitStatus::maximum_likelihood) return result;
   result.distance = distance_of(pooled, fit.line);
   result.correlation = correlation_in(samples, pooled.y);
   find_gap(pooled, fit.line, center, result);
-  const NullModel null(samples, result.correlation, fit.line[0] + fit.line[1] * pooled.censored_at,
-                       options.seed, stratified);
+  const double between = correlation_between(samples, units, result.correlation, pooled.y);
+  const NullModel null(samples, std::max(result.correlation, between), between,
+                       fit.line[0] + fit.line[1] * pooled.censored_at, options.seed, stratified);
   result.p_value = p_value(null, result.distance, std::min(options.replicates, 199));
   return result;
 }

@@ -95,6 +95,18 @@ void exchange_histories(const Archive& archive, const IntensityScale& scale, R& 
   });
 }
 
+/// Files from before events were the units of intervals do not have it.
+template <class Archive, class R>
+void exchange_units(const Archive& archive, R& results) {
+  auto& unit_of = results.histories.unit_of;
+  if constexpr (Archive::reads) {
+    if (archive.has("unit")) unit_of = event_units(results.records);
+  } else if (!unit_of.empty()) {
+    std::vector<std::uint64_t> units(unit_of.begin(), unit_of.end());
+    list(archive, "unit", {"-", "number of its event, over which intervals are"}, units);
+  }
+}
+
 /// Whether the file has, or is to have, what was done with the motions: nothing as a rule.
 template <class Archive, class Records>
 bool is_processed(const Archive& archive, const Records& records) {
@@ -288,6 +300,7 @@ void exchange_all(const Archive& archive, R& results) {
   exchange_records(archive.group("records"), results.records, results.record_periods_s);
   exchange_suites(archive.group("suites"), IntensityScale(results), results.suites);
   exchange_histories(archive.group("histories"), IntensityScale(results), results);
+  exchange_units(archive.group("records"), results);
 }
 
 void write_tables(const Hdf5Writer& archive, const std::vector<DataTable>& tables) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "glissade/motion/simulation/synthetic_suite.hpp"
 
+#include <fmt/format.h>
+
 #include "glissade/core/in_parallel.hpp"
 #include "glissade/motion/simulation/bssa14.hpp"
 #include "glissade/motion/simulation/components.hpp"
@@ -22,7 +24,7 @@ Motion simulate_motion(const SyntheticRecipe& recipe, const SyntheticMotion& sou
       shape_motion(simulate_raw_motion(scenario_of(source), key, recipe.dt_s), gain_of(recipe));
   Motion motion;
   motion.id = source.id;
-  motion.event = "simulated";
+  motion.event = fmt::format("simulated {}/{}", recipe.seed, source.realization);
   motion.station = source.id;
   motion.magnitude = source.magnitude;
   motion.distance_km = source.distance_km;

@@ -59,7 +59,7 @@ Figure demand_figure(const CalculationPackage& package) {
           fmt::format("friction {:.3g}; largest over slope, {}, with and without vertical motion; "
                       "{}{}",
                       package.project.friction.design(), varied_of_building(package.project),
-                      counted(package.demand.records.size(), "record"),
+                      counted_records(package.demand),
                       is_above ? "; governing displacement above the figure: " +
                                      length_in_both(design.governing_m)
                                : ""),
@@ -102,7 +102,8 @@ Figure exceedance_figure(const CalculationPackage& package) {
   for (std::size_t i = 0; i < results.levels.size(); ++i) {
     const double level = results.levels[i] / dbe, share = exceeded.probability[i];
     shares.add(level, share);
-    intervals.add(level, widened(exceeded.probability_interval[i], share, results.records.size()));
+    intervals.add(level,
+                  widened(exceeded.probability_interval[i], share, effective_units(results)));
   }
   Panel panel{"",
               {"Shaking, in parts of that of the DBE", 0.0, results.levels.back() / dbe},

@@ -9,6 +9,7 @@
 #include "glissade/study/plan/one_mass.hpp"
 #include "package/tables.hpp"
 #include "package/units.hpp"
+#include "text/study_text.hpp"
 
 namespace glissade {
 namespace {
@@ -46,10 +47,9 @@ std::string inputs_lines(const CalculationPackage& package) {
                                   range_text(p.slope_deg, " deg"), p.friction.mean, p.friction.std,
                                   p.friction.design())) +
          line("Motions", p.of_roof ? fmt::format("{} of the roof, factor {:g}",
-                                                 counted(package.demand.records.size(), "record"),
-                                                 p.roof_factor)
+                                                 counted_records(package.demand), p.roof_factor)
                                    : fmt::format("{}, {:.2f} to {:.2f} times the design spectrum",
-                                                 counted(package.demand.records.size(), "record"),
+                                                 counted_records(package.demand),
                                                  ratios.lowest.ratio, ratios.highest.ratio)) +
          line("Roof peak", roof_acceleration_text(package.design));
 }
@@ -70,7 +70,7 @@ std::string demand_lines(const CalculationPackage& package) {
   const bool is_skewed = std::ranges::any_of(
       package.design.demand, [](const PeriodDemand& d) { return d.p84_m < d.mean_m; });
   if (is_skewed) text += std::string("  ") + percentile_note + "\n";
-  const std::string open = open_percentile(package.demand.records.size());
+  const std::string open = open_percentile(package.demand);
   return open.empty() ? text : text + wrapped(open);
 }
 

@@ -192,7 +192,7 @@ Table demand_table(const CalculationPackage& package) {
           "slope,{} with and without vertical motion, over {}",
           package.project.friction.design(),
           package.project.of_roof ? "" : fmt::format(" {},", varied_of_building(package.project)),
-          counted(package.demand.records.size(), "record")),
+          counted_records(package.demand)),
       {text_column("period", "Period"), text_column("mean", "Mean"),
        text_column("p84", "84th percentile"), text_column("p95", "95th percentile"),
        text_column("largest", "Largest record, any orientation"),
@@ -207,7 +207,7 @@ Table demand_table(const CalculationPackage& package) {
   table.notes.push_back(std::string("Mean and percentiles: over the records, all in the governing "
                                     "orientation; that of the mean is in the last column. ") +
                         percentile_note);
-  table.add_note(open_percentile(package.demand.records.size()));
+  table.add_note(open_percentile(package.demand));
   return package.project.of_roof ? table.without("period") : table;
 }
 
@@ -395,12 +395,12 @@ Table exceedance_table(const CalculationPackage& package) {
   table.notes.push_back(fmt::format(
       "The probability is the observed share of the histories, without a fitted curve. {} drawn "
       "within the project's ranges, and the orientation; the slope is the "
-      "steepest: {} for each of {}. The interval is over records; "
-      "it is never narrower than that of a binomial with one trial for each record.",
+      "steepest: {} for each of {}. The interval is over {}; "
+      "it is never narrower than that of a binomial with one trial for each of them.",
       project.of_roof ? "Friction is"
                       : fmt::format("Friction and {} are", varied_of_building(project)),
-      counted(package.probability.cases.samples, "sample"),
-      counted(package.probability.records.size(), "record")));
+      counted(package.probability.cases.samples, "sample"), counted_records(package.probability),
+      units_name(package.probability)));
   return project.of_roof ? table.without("period") : table;
 }
 
@@ -476,7 +476,7 @@ Table roof_accelerations_table(const CalculationPackage& package) {
   table.notes.push_back(fmt::format(
       "Computed: over {}, of each the geometric mean of both horizontal axes{}. ASCE 7-16: "
       "0.4 S_DS (1 + 2 z/h) with z/h = 1.",
-      counted(package.demand.records.size(), "record"), of_roof ? "" : ", without the array"));
+      counted_records(package.demand), of_roof ? "" : ", without the array"));
   if (of_roof) return table.without("period").without("alpha").without("asce7_22");
   table.notes.push_back(
       "ASCE 7-22: 0.4 S_DS H_f, H_f = 1 + a_1 + a_2, a_1 = 1/T, 2.5 at most, a_2 = 1 - (0.4 "

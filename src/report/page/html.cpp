@@ -61,10 +61,9 @@ Html warnings_html(const Results& results) {
 std::string what_was_run(const Results& results) {
   const CaseSet& set = results.cases;
   std::string text = fmt::format(
-      "{} x {} x {} x {} x {} of {}. Every displacement is in plan.",
-      counted(results.records.size(), "record"), counted(set.combinations(), "combination"),
-      counted(set.samples, "sample"), counted(set.orientations, "orientation"),
-      levels_of_each(results), results.intensity_label);
+      "{} x {} x {} x {} x {} of {}. Every displacement is in plan.", counted_records(results),
+      counted(set.combinations(), "combination"), counted(set.samples, "sample"),
+      counted(set.orientations, "orientation"), levels_of_each(results), results.intensity_label);
   text += " Intensity measure: " + results.measure.meaning() + ".";
   if (const std::string target = target_text(results); !target.empty())
     text += " Design target: " +

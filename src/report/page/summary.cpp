@@ -21,8 +21,7 @@ std::string summary_text(const Results& results, const std::vector<Skip>& skips)
     return wrapped(whole, terminal_width, 2) + "\n";
   };
   std::string text = line(fmt::format(
-      "{}: {} x {} x {}, displacements in plan", results.study_name,
-      counted(results.records.size(), "record"),
+      "{}: {} x {} x {}, displacements in plan", results.study_name, counted_records(results),
       draws ? counted(results.cases.samples, "sample") : counted(results.cases.size(), "case"),
       levels_of_each(results)));
   if (const std::vector<std::string> answers = answer_sentences(results); !answers.empty())

@@ -199,7 +199,9 @@ Table all_displacements_table(const ProductSheet& sheet) {
       row.emplace_back(d.period_s);
       table.add(std::move(row));
     }
-  table.add_note(open_percentile(sheet.targets.front().records.size()));
+  const std::vector<RecordSummary>& records = sheet.targets.front().records;
+  const std::size_t units = unit_count(event_units(records), records.size());
+  table.add_note(open_percentile(units, units < records.size() ? "events" : "records"));
   return table;
 }
 

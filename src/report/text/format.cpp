@@ -131,14 +131,13 @@ std::string format_length_interval(const Interval& interval_m) {
   return format_interval(interval) + unit;
 }
 
-std::string open_percentile(std::size_t records) {
+std::string open_percentile(std::size_t units, const std::string& name) {
   const std::size_t fewest = records_that_bound(0.16);
-  return records >= fewest
-             ? ""
-             : fmt::format(
-                   "Fewer than {} records do not bound the 84th percentile from above (95 % "
-                   "interval), fewer than {} the 95th.",
-                   fewest, records_that_bound(0.05));
+  return units >= fewest ? ""
+                         : fmt::format(
+                               "Fewer than {} {} do not bound the 84th percentile from above (95 % "
+                               "interval), fewer than {} the 95th.",
+                               fewest, name, records_that_bound(0.05));
 }
 
 std::string standard_name(Standard standard) {

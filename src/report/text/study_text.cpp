@@ -117,8 +117,20 @@ Table without_run_key(const Results& results, const Table& table) {
 }
 
 std::string counts_of(const Results& results) {
-  return counted(results.records.size(), "record") + " x " +
-         counted(results.cases.samples, "sample");
+  return counted_records(results) + " x " + counted(results.cases.samples, "sample");
+}
+
+std::string units_name(const Results& results) {
+  return unit_count(results) < results.records.size() ? "events" : "records";
+}
+
+std::string counted_records(const Results& results) {
+  const std::size_t units = unit_count(results), records = results.records.size();
+  return counted(records, "record") + (units < records ? " of " + counted(units, "event") : "");
+}
+
+std::string open_percentile(const Results& results) {
+  return open_percentile(static_cast<std::size_t>(effective_units(results)), units_name(results));
 }
 
 std::string levels_of_each(const Results& results) {

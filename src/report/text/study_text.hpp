@@ -85,6 +85,11 @@ std::string level_number(double level);
 std::string levels_of_each(const Results& results);
 /// "22 records x 1024 samples"
 std::string counts_of(const Results& results);
+/// "22 records", or "22 records of 14 events" where some events have several.
+std::string counted_records(const Results& results);
+/// What intervals are over: "events" where some have several records, else "records".
+std::string units_name(const Results& results);
+std::string open_percentile(const Results& results);
 /// Which combination of what the study lists a run is.
 std::size_t combination_of(const Results& results, const RunResults& run);
 /// Of a run, at a level; null where it is not one of its levels.

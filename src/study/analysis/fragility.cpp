@@ -57,8 +57,10 @@ void fit_capacities(const Results& results, const RunResults& run, std::size_t t
   fragility.recross_share = reached > 0.0 ? recrossed / reached : 0.0;
   fragility.censored_share = censored / histories;
   fragility.free_sliding_share = number(&Bracket::high, 0.0) / histories;
-  fragility.capacities = fit_brackets(rows, Independent::records, run.band_intensities);
-  fragility.lognormal = lognormal_goodness_of_fit(rows, options, method == SamplingMethod::sobol);
+  fragility.capacities =
+      fit_brackets(by_unit(rows, table), Independent::records, run.band_intensities);
+  fragility.lognormal =
+      lognormal_goodness_of_fit(rows, options, method == SamplingMethod::sobol, table.unit_of);
 }
 
 ThresholdFragility fit_threshold(const Results& results, const RunResults& run,
@@ -78,6 +80,7 @@ ThresholdFragility fit_threshold(const Results& results, const RunResults& run,
     fit_capacities(results, run, threshold, options, method, fragility);
   for (std::size_t level = 0; level < results.levels.size(); ++level) {
     std::vector<double> shares;  // of all histories, by record
+    std::vector<std::size_t> units;
     double exceeding = 0.0;
     for (std::size_t record = 0; record < table.records; ++record) {
       if (!table.has(record, level)) continue;
@@ -86,9 +89,10 @@ ThresholdFragility fit_threshold(const Results& results, const RunResults& run,
         if (table.displacement_m(record, i, level) >= fragility.threshold_m) of_record += 1.0;
       exceeding += of_record;
       shares.push_back(of_record / static_cast<double>(run.cases));
+      units.push_back(table.unit(record));
     }
     fragility.probability.push_back(exceeding / static_cast<double>(shares.size() * run.cases));
-    fragility.probability_interval.push_back(share_interval(shares));
+    fragility.probability_interval.push_back(share_interval(UnitValues(shares, units)));
   }
   order_intervals(fragility.probability, fragility.probability_interval);
   return fragility;
@@ -104,7 +108,7 @@ SlipStatistics statistics_of(const PooledLevel& pooled, const Results& results,
   s.p95_m = pooled.quantile_m(0.95);
   s.mean_m = pooled.mean_m();
   s.mean_interval = pooled.mean_interval();
-  if (results.records.size() > 1) {
+  if (results.histories.units() > 1) {
     s.median_interval = pooled.exceeded_interval(0.5);
     s.p84_interval = pooled.exceeded_interval(0.16);
   }

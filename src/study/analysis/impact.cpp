@@ -14,8 +14,8 @@
 namespace glissade {
 namespace {
 
-/// With fewer records that reach it the scatter between records is not estimated.
-constexpr std::ptrdiff_t fewest_records = 3;
+/// With fewer units that reach it the scatter between them is not estimated.
+constexpr std::ptrdiff_t fewest_units = 3;
 
 /// Whether a history did not converge, so that it counts as beyond every threshold.
 bool is_unknown(const HistoryTable& all, std::size_t history) {
@@ -24,52 +24,51 @@ bool is_unknown(const HistoryTable& all, std::size_t history) {
          std::isinf(all.fields.peak_displacement_m[history]);
 }
 
-/// The crossings of one threshold at one level that happen, by record. Of a history that did not
-/// converge the speed is unknown, and counted as above every other, and the time is left out.
+/// The crossings of one threshold at one level that happen, by independent unit. Of a history that
+/// did not converge the speed is unknown, and counted as above every other, and the time is left
+/// out.
 struct Happened {
   std::vector<std::vector<double>> time_s, speed_mps;
+  std::vector<double> reached;  ///< by record: how many histories
 
   Happened(const HistoryTable& all, CaseSlice cases, std::size_t level, std::size_t threshold)
-      : time_s(all.records), speed_mps(all.records) {
+      : time_s(all.units()), speed_mps(all.units()), reached(all.records) {
     for (std::size_t record = 0; record < all.records; ++record) {
+      const std::size_t unit = all.unit(record);
       for (std::size_t i = 0; i < cases.count; ++i) {
         const std::size_t history = all.at(record, cases.first + i, level),
                           at = history * all.thresholds + threshold;
         if (std::isnan(all.fields.crossing_time_s[at])) {
-          if (is_unknown(all, history)) speed_mps[record].push_back(infinity);
+          if (!is_unknown(all, history)) continue;
+          speed_mps[unit].push_back(infinity);
+          ++reached[record];
           continue;
         }
-        time_s[record].push_back(all.fields.crossing_time_s[at]);
-        speed_mps[record].push_back(all.fields.crossing_speed_mps[at]);
+        ++reached[record];
+        time_s[unit].push_back(all.fields.crossing_time_s[at]);
+        speed_mps[unit].push_back(all.fields.crossing_speed_mps[at]);
       }
     }
   }
 
-  std::ptrdiff_t records() const {
+  std::ptrdiff_t units() const {
     return std::ranges::count_if(speed_mps, [](const auto& speeds) { return !speeds.empty(); });
   }
 };
 
-std::vector<double> sorted_together(const std::vector<std::vector<double>>& by_record) {
+std::vector<double> sorted_together(const std::vector<std::vector<double>>& by_unit) {
   std::vector<double> all;
-  for (const std::vector<double>& values : by_record)
+  for (const std::vector<double>& values : by_unit)
     all.insert(all.end(), values.begin(), values.end());
   std::ranges::sort(all);
   return all;
 }
 
-/// Of the share of histories that reach it.
-Interval reached_interval(const Happened& happened, std::size_t samples) {
-  std::vector<double> shares;
-  for (const std::vector<double>& speeds : happened.speed_mps)
-    shares.push_back(static_cast<double>(speeds.size()) / static_cast<double>(samples));
-  return share_interval(shares);
-}
-
-ImpactStatistics statistics_of(const Happened& happened, std::size_t samples) {
+ImpactStatistics statistics_of(const HistoryTable& all, const Happened& happened,
+                               std::size_t samples) {
   const std::vector<double> times = sorted_together(happened.time_s),
                             speeds = sorted_together(happened.speed_mps);
-  const std::size_t histories = happened.time_s.size() * samples;
+  const std::size_t histories = all.records * samples;
   ImpactStatistics s;
   s.reached_share.value = static_cast<double>(speeds.size()) / static_cast<double>(histories);
   s.speed_p16_mps = quantile_of_sorted(speeds, 0.16);
@@ -80,8 +79,10 @@ ImpactStatistics statistics_of(const Happened& happened, std::size_t samples) {
   s.time_median_s = quantile_of_sorted(times, 0.5);
   s.time_p16_s = quantile_of_sorted(times, 0.16);
   s.time_p84_s = quantile_of_sorted(times, 0.84);
-  if (happened.records() < fewest_records) return s;
-  if (speeds.size() < histories) s.reached_share.interval = reached_interval(happened, samples);
+  if (happened.units() < fewest_units) return s;
+  std::vector<double> shares = happened.reached;
+  for (double& share : shares) share /= static_cast<double>(samples);
+  if (speeds.size() < histories) s.reached_share.interval = share_interval(all.by_unit(shares));
   const PooledLevel pooled(happened.speed_mps);
   s.speed_median_mps.interval = pooled.exceeded_interval(0.5);
   s.speed_p84_mps.interval = pooled.exceeded_interval(0.16);
@@ -97,7 +98,7 @@ std::vector<ImpactStatistics> impact_statistics(const HistoryTable& histories, C
   std::vector<ImpactStatistics> all(thresholds_m.size() * levels.size());
   in_parallel(all.size(), [&](std::size_t i) {
     const std::size_t t = i / levels.size(), l = i % levels.size();
-    all[i] = statistics_of(Happened(histories, cases, l, t), cases.count);
+    all[i] = statistics_of(histories, Happened(histories, cases, l, t), cases.count);
     all[i].level = levels[l];
     all[i].threshold_m = thresholds_m[t];
   });

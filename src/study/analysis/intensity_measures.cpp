@@ -14,7 +14,7 @@
 namespace glissade {
 namespace {
 
-/// Fewer records say nothing about a dispersion.
+/// Fewer records, or units, say nothing about a dispersion.
 constexpr std::size_t fewest_records = 5;
 
 /// ln of a measure of the record as recorded, by (record, case). Of one that goes with a power of
@@ -130,7 +130,7 @@ struct Ranking {
   }
   template <class Value>
   RecordRegression regression(Value value) const {
-    RecordRegression data;
+    RecordRegression data{.unit_of = results.histories.unit_of};
     for (std::size_t record = 0; record < results.records.size(); ++record) {
       std::vector<SampleValue> samples;
       for (std::size_t i = 0; i < run.cases; ++i)
@@ -165,8 +165,8 @@ bool can_be_ranked(const RecordRegression& data) {
   const auto is_finite = [](const std::vector<double>& values) {
     return std::ranges::all_of(values, [](double v) { return std::isfinite(v); });
   };
-  return data.records() >= fewest_records && 2 * censored < data.records() &&
-         is_finite(data.value) && std::ranges::all_of(data.covariates, is_finite);
+  return data.units() >= fewest_records && 2 * censored < data.records() && is_finite(data.value) &&
+         std::ranges::all_of(data.covariates, is_finite);
 }
 
 /// Over the records that have it.

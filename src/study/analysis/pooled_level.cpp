@@ -3,12 +3,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numeric>
 #include <utility>
 
 #include "glissade/core/finite.hpp"
 #include "glissade/core/quantile.hpp"
-#include "glissade/fragility/share.hpp"
 
 namespace glissade {
 namespace {
@@ -38,41 +38,49 @@ std::vector<double> merged(const std::vector<std::vector<double>>& lists) {
 
 }  // namespace
 
-PooledLevel::PooledLevel(std::vector<std::vector<double>> slips_m)
-    : by_record_(std::move(slips_m)) {
-  std::erase_if(by_record_, [](const std::vector<double>& slips) { return slips.empty(); });
-  for (std::vector<double>& slips : by_record_) {
-    record_means_.push_back(mean_of(slips));
+PooledLevel::PooledLevel(std::vector<std::vector<double>> slips_m, double units)
+    : by_unit_(std::move(slips_m)) {
+  std::erase_if(by_unit_, [](const std::vector<double>& slips) { return slips.empty(); });
+  std::size_t most = 0;
+  for (const std::vector<double>& slips : by_unit_) most = std::max(most, slips.size());
+  for (std::vector<double>& slips : by_unit_) {
+    means_.means.push_back(mean_of(slips));
+    means_.records.push_back(static_cast<double>(slips.size()) / static_cast<double>(most));
     std::sort(slips.begin(), slips.end());
   }
-  sorted_ = merged(by_record_);
+  units_ = units > 0.0 ? units : static_cast<double>(by_unit_.size());
+  sorted_ = merged(by_unit_);
 }
 
 double PooledLevel::quantile_m(double probability) const {
   return quantile_of_sorted(sorted_, probability);
 }
 
-double PooledLevel::mean_m() const { return mean_of(record_means_); }
+double PooledLevel::mean_m() const {
+  const auto& [means, parts] = means_;
+  return std::inner_product(means.begin(), means.end(), parts.begin(), 0.0) /
+         std::accumulate(parts.begin(), parts.end(), 0.0);
+}
 
 double PooledLevel::share_above(double slip_m) const {
   const auto above = sorted_.end() - std::upper_bound(sorted_.begin(), sorted_.end(), slip_m);
   return static_cast<double>(above) / static_cast<double>(sorted_.size());
 }
 
-Interval PooledLevel::mean_interval() const { return positive_mean_interval(record_means_); }
+Interval PooledLevel::mean_interval() const { return positive_mean_interval(means_); }
 
 Interval PooledLevel::share_interval(double slip_m) const {
-  std::vector<double> shares, histories;
-  for (const std::vector<double>& slips : by_record_) {
+  UnitValues shares;
+  for (const std::vector<double>& slips : by_unit_) {
     const auto above = slips.end() - std::upper_bound(slips.begin(), slips.end(), slip_m);
-    histories.push_back(static_cast<double>(slips.size()));
-    shares.push_back(static_cast<double>(above) / histories.back());
+    shares.records.push_back(static_cast<double>(slips.size()));
+    shares.means.push_back(static_cast<double>(above) / shares.records.back());
   }
-  return glissade::share_interval(shares, histories);
+  return glissade::share_interval(shares);
 }
 
 Interval PooledLevel::wide_share_interval(double slip_m) const {
-  return widened(share_interval(slip_m), share_above(slip_m), by_record_.size());
+  return widened(share_interval(slip_m), share_above(slip_m), units_);
 }
 
 Interval PooledLevel::exceeded_interval(double probability) const {
@@ -98,14 +106,20 @@ Interval PooledLevel::exceeded_interval(double probability) const {
 PooledLevel pooled_at(const HistoryTable& histories, CaseSlice cases, std::size_t level,
                       HistoryValues<double> HistoryFields::*field) {
   std::vector<std::vector<double>> slips;
+  std::map<std::size_t, std::size_t> places;  // by unit
   for (std::size_t record = 0; record < histories.records; ++record) {
     if (!histories.has(record, level)) continue;
-    slips.emplace_back().reserve(cases.count);
+    const std::size_t at = places.try_emplace(histories.unit(record), slips.size()).first->second;
+    if (at == slips.size()) slips.emplace_back();
+    std::vector<double>& of_unit = slips[at];
+    of_unit.reserve(of_unit.size() + cases.count);
     for (std::size_t i = 0; i < cases.count; ++i)
-      slips.back().push_back(
-          (histories.fields.*field)[histories.at(record, cases.first + i, level)]);
+      of_unit.push_back((histories.fields.*field)[histories.at(record, cases.first + i, level)]);
   }
-  return PooledLevel(std::move(slips));
+  std::vector<double> sizes;
+  for (const std::vector<double>& of_unit : slips)
+    sizes.push_back(static_cast<double>(of_unit.size() / cases.count));
+  return PooledLevel(std::move(slips), effective_number(sizes));
 }
 
 }  // namespace glissade

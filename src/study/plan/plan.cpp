@@ -256,6 +256,12 @@ const DesignTarget* Plan::target_of(std::size_t suite) const {
   return suites_own ? &*suites_own : nullptr;
 }
 
+std::vector<std::string> events_of(const Plan& plan) {
+  std::vector<std::string> events;
+  for (std::size_t i = 0; i < plan.records.size(); ++i) events.push_back(plan.motion(i).event);
+  return events;
+}
+
 std::uint64_t Plan::histories() const {
   return records.size() * order.size() * depth_of(config, Depth::levels);
 }

@@ -375,11 +375,13 @@ void check_fit(const StudyConfig& config, const std::vector<Suite>& suites) {
   check_roof_motions(config, suites, problems);
   problems.throw_if_any();
   check_model(config, suites, problems);
-  std::size_t records = 0;
-  for (const Suite& suite : suites) records += suite.motions.size();
+  std::vector<std::string> events;
+  for (const Suite& suite : suites)
+    for (const Motion& motion : suite.motions) events.push_back(motion.event);
+  const std::size_t units = unit_count(event_units(events), events.size());
   for_each_analysis(Analyses(), [&](auto analysis) {
-    if constexpr (requires { analysis.check(config, records, problems); })
-      analysis.check(config, records, problems);
+    if constexpr (requires { analysis.check(config, units, problems); })
+      analysis.check(config, units, problems);
   });
   for (std::size_t i = 0; i < suites.size(); ++i) {
     const std::string where = config.suite_files[i].string();

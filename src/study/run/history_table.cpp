@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "glissade/study/run/history_table.hpp"
 
+#include <map>
+
 #include "glissade/study/cases/case.hpp"
-#include "glissade/study/config.hpp"
+#include "glissade/study/results.hpp"
 
 namespace glissade {
 
@@ -17,6 +19,34 @@ KeptFields::KeptFields(const StudyConfig& config)
     }
   });
   by_axis = by_axis && two_axes;
+}
+
+std::vector<std::size_t> event_units(const std::vector<std::string>& events) {
+  std::map<std::string, std::size_t> numbers;
+  std::vector<std::size_t> units;
+  std::size_t count = 0;
+  for (const std::string& event : events) {
+    const auto known = event.empty() ? numbers.end() : numbers.try_emplace(event, count).first;
+    units.push_back(known == numbers.end() ? count : known->second);
+    if (units.back() == count) ++count;
+  }
+  return numbers.empty() ? std::vector<std::size_t>() : units;
+}
+
+std::vector<std::size_t> event_units(const std::vector<RecordSummary>& records) {
+  std::vector<std::string> events;
+  for (const RecordSummary& record : records) events.push_back(record.event);
+  return event_units(events);
+}
+
+std::size_t unit_count(const Results& results) {
+  return unit_count(results.histories.unit_of, results.records.size());
+}
+
+double effective_units(const Results& results) {
+  const std::vector<double> ones(results.records.size(), 1.0);
+  if (results.histories.unit_of.empty()) return static_cast<double>(ones.size());
+  return effective_number(results.histories.by_unit(ones).records);
 }
 
 std::size_t depth_of(const StudyConfig& config, Depth depth) {

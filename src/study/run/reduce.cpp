@@ -92,6 +92,7 @@ Results reduce(const Plan& plan, HistoryTable histories,
                const std::vector<std::vector<double>>& motion_parts) {
   Results results = header_of(plan, motion_parts);
   results.histories = std::move(histories);
+  results.histories.unit_of = event_units(results.records);
   analyse(Analyses(), plan.config, results);
   add_remarks(plan, results);
   return results;

@@ -72,7 +72,12 @@ std::vector<std::string> notes_on_records(const Plan& plan) {
   for (const auto& [note, ids] : read_so)
     notes.push_back(
         fmt::format("{} of {}, {}: {}", ids.size(), counted(records, "record"), note, listed(ids)));
+  const std::size_t units = unit_count(event_units(events_of(plan)), records);
   if (records == 1) notes.push_back("one record: the scatter between records is not estimated");
+  if (units < records)
+    notes.push_back(fmt::format("{} of {}: events are the independent unit of intervals{}",
+                                counted(records, "record"), counted(units, "event"),
+                                units == 1 ? ", of which one event gives none" : ""));
   return notes;
 }
 

@@ -316,6 +316,23 @@ Warnings motions(const Plan& plan) {
   return warnings;
 }
 
+/// Records whose event is not known, beside others: they may be of one.
+Warnings missing_events(const Plan& plan) {
+  const std::vector<std::string> events = events_of(plan);
+  std::vector<std::string> ids;
+  for (std::size_t record = 0; record < events.size(); ++record)
+    if (events[record].empty()) ids.push_back(plan.motion(record).id);
+  if (ids.empty() || ids.size() == events.size()) return {};
+  constexpr std::size_t most = 5;
+  const std::size_t more = ids.size() - std::min(most, ids.size());
+  ids.resize(ids.size() - more);
+  return {fmt::format(
+      "the suites state events, but not of {} ({}{}): each of these counts as an event of its own, "
+      "and intervals are too narrow if it is not. State `event` of each record",
+      counted(ids.size() + more, "record"), fmt::join(ids, ", "),
+      more > 0 ? fmt::format(" and {} more", more) : "")};
+}
+
 /// Of analyses that give probabilities: they need the scatter between records, which is less in a
 /// suite of those nearest to a target.
 Warnings nearest_records(const Plan& plan) {
@@ -367,6 +384,7 @@ std::vector<std::string> warnings_on(const Plan& plan) {
                              same_motions,
                              other_stripes,
                              motions,
+                             missing_events,
                              nearest_records,
                              turned_roofs}) {
     for (std::string& text : warning(plan)) warnings.push_back(std::move(text));

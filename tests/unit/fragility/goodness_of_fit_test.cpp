@@ -61,6 +61,30 @@ TEST(goodness_of_fit, refuses_as_often_with_100_independent_samples_of_each_reco
   }
 }
 
+// 14 events, of which 8 have two records, as the far-field set of FEMA P-695: half of the variance
+// between records is of the event, or none.
+TEST(goodness_of_fit, refuses_as_often_with_records_of_events) {
+  constexpr int studies = 200;
+  std::vector<std::size_t> unit_of;
+  for (std::size_t event = 0; event < 14; ++event)
+    unit_of.insert(unit_of.end(), event < 8 ? 2 : 1, event);
+  for (const double part : {0.0, 0.5}) {
+    int rejected = 0;
+    for (std::uint64_t seed = 3000; seed < 3000 + studies; ++seed) {
+      const double between = 0.35 * std::sqrt(1 - part);
+      std::vector<Bracket> rows =
+          lognormal_records(unit_of.size(), seed, infinity, {.between = between});
+      for (Bracket& row : rows)
+        row.high = row.low *=
+            std::exp(0.35 * std::sqrt(part) *
+                     keyed_normal(seed, RandomPurpose::test, unit_of[row.record], 100));
+      const GoodnessOfFit fit = lognormal_goodness_of_fit(rows, {.seed = seed}, false, unit_of);
+      rejected += fit.p_value < goodness_of_fit_level;
+    }
+    EXPECT_NEAR(rejected / static_cast<double>(studies), 0.05, 0.045) << part;
+  }
+}
+
 TEST(goodness_of_fit, is_the_distance_of_cramer_and_von_mises) {
   // For a complete sample: 1 / (12 n^2) + mean of (u_i - (2 i - 1) / (2 n))^2.
   std::vector<double> y;

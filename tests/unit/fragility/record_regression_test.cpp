@@ -57,6 +57,20 @@ TEST(fit_records, is_not_biased_by_censored_values) {
   EXPECT_NEAR(fit.std, 1.0, 0.08);
 }
 
+// Every value twice: of pairs the error of ln std is that of the values once; taken as independent
+// it is smaller by the square root of 2.
+TEST(fit_records, has_the_error_of_the_units) {
+  const RecordRegression once = normal_values(20, 3, 1.0);
+  RecordRegression twice;
+  for (std::size_t i = 0; i < 40; ++i) twice.value.push_back(once.value[i / 2]);
+  twice.censored.assign(40, false);
+  const double apart = fit_records(twice).log_std_error;
+  for (std::size_t i = 0; i < 40; ++i) twice.unit_of.push_back(i / 2);
+  const double expected = fit_records(once).log_std_error;
+  EXPECT_NEAR(fit_records(twice).log_std_error, expected, 1e-12);
+  EXPECT_NEAR(apart, expected / std::sqrt(2.0), 1e-12);
+}
+
 // 400 studies of 20 normal values: 4.6 sigma of 95 %.
 TEST(record_dispersions, cover_the_standard_deviation) {
   double covered = 0.0;

@@ -30,13 +30,33 @@ TEST(share_interval, is_the_share_where_all_records_have_the_same) {
 // Equal numbers of histories, whatever they are, are those of one each.
 TEST(share_interval, counts_records_by_their_histories) {
   const std::vector<double> shares{0.1, 0.5, 0.2, 0.9, 0.4, 0.3};
-  const Interval each = share_interval(shares),
-                 of_50 = share_interval(shares, std::vector(6, 50.0)),
-                 of_more = share_interval(shares, {1, 1, 1, 4, 1, 1});
+  const auto with = [&](const std::vector<double>& histories) {
+    UnitValues of(shares);
+    of.records = histories;
+    return share_interval(of);
+  };
+  const Interval each = share_interval(shares), of_50 = with(std::vector(6, 50.0)),
+                 of_more = with({1, 1, 1, 4, 1, 1});
   EXPECT_NEAR(of_50.low, each.low, 1e-12);
   EXPECT_NEAR(of_50.high, each.high, 1e-12);
   EXPECT_LT(of_more.low, each.low);  // less than six records are effective
   EXPECT_GT(of_more.high, each.high);
+}
+
+// By hand: 1, 2 and 3 of three units, of which the second has two records, 1.5 and 2.5.
+TEST(unit_values, are_means_of_the_records_of_a_unit) {
+  const UnitValues values({1.5, 1.0, 2.5, 3.0}, {4, 0, 4, 7});
+  EXPECT_EQ(values.means, (std::vector{2.0, 1.0, 3.0}));
+  EXPECT_EQ(values.records, (std::vector{2.0, 1.0, 1.0}));
+  EXPECT_NEAR(effective_number(values), 64.0 / 26.0, 1e-12);  // of the sums 4, 1 and 3
+}
+
+// By hand, of sums 4, 1 and 3 of 2, 1 and 1 records: mean 2, departures of the units (2 - 2)
+// 2/(4/3), (1 - 2) 3/4 and (3 - 2) 3/4 of the mean 2: error sqrt(2 (3/8)^2 / 2 / 3).
+TEST(positive_mean_interval, of_units_is_from_the_departures_of_their_sums) {
+  const Interval interval = positive_mean_interval(UnitValues({1.5, 1.0, 2.5, 3.0}, {4, 0, 4, 7}));
+  constexpr double t = 4.30265272974946;  // of 2 degrees of freedom at 0.975
+  EXPECT_NEAR(interval.low, 2.0 * std::exp(-t * std::sqrt(2.0 * 0.375 * 0.375 / 2.0 / 3.0)), 1e-9);
 }
 
 // (1 - p)^n = 0.025: ln 0.025 / ln 0.84 = 21.2, / ln 0.5 = 5.3.

@@ -272,6 +272,20 @@ TEST_F(SuiteImporter, clipped_flat_and_spiky_components_are_named_here_and_in_th
       ElementsAre(HasSubstr("first component: clipped?"), HasSubstr("second component: a spike?")));
 }
 
+// Stations are triggered some seconds apart.
+TEST_F(SuiteImporter, headers_with_times_of_records_state_the_minute_and_those_to_come_no_event) {
+  const auto corpus = [](const char* name) {
+    return read_text_file(fs::path(GLISSADE_SOURCE_DIR "/tests/fuzz/corpus/record") / name);
+  };
+  write("a.v2", changed(corpus("cosmos.v2"), "Origin: none", "Origin: To be determined"));
+  write("b.v2", changed(corpus("csmip.v2"), "\ntext\n",
+                        "\nRecord of Mon Feb 13, 2012 13:06:45.0 PST (Avol1 v9.2)\n"));
+  const SuiteImport found = import(by_names());
+  ASSERT_EQ(found.components.size(), 4u) << reasons(found);  // two channels each
+  EXPECT_EQ(found.components[0].header.event, "");
+  EXPECT_EQ(found.components[2].header.event, "Record of Mon Feb 13, 2012 13:06");
+}
+
 TEST_F(SuiteImporter, ids_are_unique) {
   for (const char* folder : {"a", "b"})
     for (const char* direction : {"000", "090"})

@@ -164,14 +164,14 @@ TEST(impact, intervals_of_speed_are_over_records_with_all_they_bring) {
     }
   const Interval found = study.statistics().front().speed_median_mps.interval;
   const auto of_share = [&](double speed) {
-    std::vector<double> shares, histories;
+    UnitValues shares;
     for (const std::vector<double>& of_record : speeds) {
       const auto above =
           std::ranges::count_if(of_record, [&](double other) { return other > speed; });
-      histories.push_back(static_cast<double>(of_record.size()));
-      shares.push_back(static_cast<double>(above) / histories.back());
+      shares.records.push_back(static_cast<double>(of_record.size()));
+      shares.means.push_back(static_cast<double>(above) / shares.records.back());
     }
-    return share_interval(shares, histories);
+    return share_interval(shares);
   };
   EXPECT_LE(of_share(found.low).low, 0.5);
   EXPECT_GT(of_share(found.low - 1e-9).low, 0.5);

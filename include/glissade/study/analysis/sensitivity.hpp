@@ -65,7 +65,7 @@ struct SensitivityAnalysis {
   /// Of histories that were run without [sensitivity] as given data. Throws InputError where they
   /// do not serve. Precondition: config.sensitivity, and [fragility] is computed.
   static SensitivityResults find(const StudyConfig& study, const Results& results);
-  static void check(const StudyConfig& study, std::size_t records, ProblemList& problems);
+  static void check(const StudyConfig& study, std::size_t units, ProblemList& problems);
   static AnalysisInFiles in_files();
   static AnalysisReport in_report();
 };

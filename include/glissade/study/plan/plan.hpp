@@ -91,6 +91,9 @@ struct Plan : PlanLists {
   double predicted_seconds() const;
 };
 
+/// By record; empty: not stated.
+std::vector<std::string> events_of(const Plan& plan);
+
 /// What every rank makes itself, first: the records. Throws InputError where study and suites do
 /// not fit (no second component, no vertical although required, no target for sds_g ...).
 Plan begin_plan(const StudyConfig& config, std::vector<Suite> suites);

@@ -5,9 +5,11 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <string>
 #include <vector>
 
 #include "glissade/core/paged_memory.hpp"
+#include "glissade/fragility/share.hpp"
 
 namespace glissade {
 
@@ -107,12 +109,37 @@ void for_each_history_field(Visit visit) {
       Depth::levels_and_thresholds, &HistoryFields::crossing_speed_mps, &KeptFields::crossings});
 }
 
+/// By record: the number of its event, from 0 by their first records. A record that states none is
+/// an event of its own. Empty where no record states one.
+std::vector<std::size_t> event_units(const std::vector<std::string>& events);
+
+/// How many independent units records have: each is one where `unit_of` is empty.
+inline std::size_t unit_count(const std::vector<std::size_t>& unit_of, std::size_t records) {
+  return unit_of.empty() ? records : 1 + *std::ranges::max_element(unit_of);
+}
+
 /// Histories by (record, case).
 struct HistoryTable {
   std::size_t records = 0, cases = 0, levels = 0, thresholds = 0;  ///< levels of each record
   HistoryFields fields;
   /// Of multiple stripes: by record, the one level that it has. Else empty: each has all levels.
   std::vector<std::size_t> stripe_of = {};
+  /// By record: its independent unit, as event_units() numbers events. Empty: each record is one.
+  std::vector<std::size_t> unit_of = {};
+
+  std::size_t unit(std::size_t record) const { return unit_of.empty() ? record : unit_of[record]; }
+  std::size_t units() const { return unit_count(unit_of, records); }
+  /// A number of each record, by the units of the intervals.
+  UnitValues by_unit(const std::vector<double>& of_record) const {
+    return unit_of.empty() ? UnitValues(of_record) : UnitValues(of_record, unit_of);
+  }
+  /// How often each record counts in a resample of the units.
+  std::vector<double> record_weights(const std::vector<double>& of_units) const {
+    std::vector<double> weights;
+    for (std::size_t record = 0; record < records; ++record)
+      weights.push_back(of_units[unit(record)]);
+    return weights;
+  }
 
   bool has(std::size_t record, std::size_t level) const {
     return stripe_of.empty() || stripe_of[record] == level;

@@ -28,16 +28,16 @@ std::string shown_sentence(const Results& results) {
   }
   const std::string target = target_text(results),
                     of_target = target.empty() ? "" : " Design target: " + target + ".";
-  const std::string open = open_percentile(results.records.size());
+  const std::string open = open_percentile(results);
   const std::string interval =
       std::isnan(p.mean_interval.low)
           ? ""
           : " (95 % interval of the mean " + format_length_interval(p.mean_interval) + ")";
   return fmt::format(
-      "{}, the {} is {}: {:g} x the mean over {} records, {}{}. Over {} the 84th "
+      "{}, the {} is {}: {:g} x the mean over {}, {}{}. Over {} the 84th "
       "percentile is {}, the 95th {}, the largest {}.{}{}{}",
       where, design_name(results), format_length(p.clearance_m), clearance_factor(results),
-      results.records.size(), format_length(p.largest.mean_m), interval,
+      counted_records(results), format_length(p.largest.mean_m), interval,
       results.cases.samples > 1 ? "records and samples pooled" : "the records",
       format_length(p.largest.p84_m), format_length(p.largest.p95_m),
       format_length(p.largest.envelope_m), open.empty() ? "" : " " + open, period, of_target);
@@ -109,13 +109,13 @@ std::string uplift_sentence(const Results& results) {
 }
 
 std::string confidence_sentence(const Results& results) {
-  const double n = static_cast<double>(results.records.size());
+  const double n = static_cast<double>(unit_count(results));
   return fmt::format(
-      "The largest of {2} records is above the 84th percentile of all motions of this kind with a "
+      "The largest of {3} is above the 84th percentile of all motions of this kind with a "
       "confidence of {0} (1 - 0.84^{2}) and above their 95th with {1} (1 - 0.95^{2}), whatever "
-      "their distribution, if the records are drawn from them at random.",
+      "their distribution, if the {4} are drawn from them at random.",
       format_share(1.0 - std::pow(0.84, n)), format_share(1.0 - std::pow(0.95, n)),
-      results.records.size());
+      unit_count(results), counted_records(results), units_name(results));
 }
 
 }  // namespace

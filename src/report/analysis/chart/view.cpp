@@ -193,7 +193,7 @@ std::string how_counted(const Results& results) {
            drawn_friction(results);
   }
   std::string text = fmt::format(
-      "{} records, each counted {}; {}; {}; in plan.", results.records.size(), of_each, building,
+      "{}, each counted {}; {}; {}; in plan.", counted_records(results), of_each, building,
       slides_on_two_axes(results) ? "both horizontal components, along and across the slope"
                                   : "one horizontal component along the slope");
   if (samples > 1) {

@@ -86,7 +86,7 @@ std::string period_reading(const Results& r) {
     text += fmt::format("{}; by the {} {}", rule_text(r), to_string(other),
                         format_length(r.clearance->factor * largest.of(other)));
   }
-  text += fmt::format(". 95 % interval of the mean{}, over records: {}.", rule_text(r),
+  text += fmt::format(". 95 % interval of the mean{}, over {}: {}.", rule_text(r), units_name(r),
                       format_length_interval(largest.interval_of(rule)));
   return text;
 }

@@ -22,7 +22,7 @@ std::string what_was_run(const Results& r) {
       r.records, [](const RecordSummary& record) { return !record.has_vertical; });
   const ConditionGrid grid(r);
   std::string text = fmt::format("{}, {} of {}", counted(grid.count(), "condition"),
-                                 counted(r.records.size(), "record"), fmt::join(suites, ", "));
+                                 counted_records(r), fmt::join(suites, ", "));
   if (r.cases.orientations > 1) text += fmt::format(", {}", orientations_text(r));
   const Condition shown = shown_condition(grid);
   text += fmt::format(". Shown, where nothing else is stated: {}.", conditions_text(r, shown));

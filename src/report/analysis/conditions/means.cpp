@@ -6,6 +6,7 @@
 #include "analysis/conditions/view.hpp"
 #include "glissade/core/finite.hpp"
 #include "glissade/core/quantile.hpp"
+#include "text/study_text.hpp"
 
 namespace glissade {
 namespace {
@@ -57,7 +58,7 @@ Table means_table(const MeansByCondition& of, FileName name, std::string title) 
   put("largest", "Largest history", "largest of all records and orientations", &M::largest).detail =
       is_length;
   t.add_each(of.means);
-  t.notes = {"[ ]: 95 % interval, over records",
+  t.notes = {"[ ]: 95 % interval, over " + units_name(of.results),
              "bounds: with the orientation chosen record by record"};
   return t;
 }

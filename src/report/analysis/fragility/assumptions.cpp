@@ -78,6 +78,20 @@ std::string vertical_text(const std::vector<RecordSummary>& records) {
       with, counted(records.size(), "record"));
 }
 
+/// The unit of the intervals.
+Assumption independence(const Results& results) {
+  const std::string name = units_name(results);
+  return {"Independence",
+          (name == "events" ? counted_records(results) +
+                                  "; events are the independent unit, also across suites. "
+           : results.histories.unit_of.empty()
+               ? "Records are taken as independent; the suite states no events. "
+               : "Records are the independent unit, each of an event of its own. ") +
+              (results.by_stripes ? "A motion that is in several stripes is one unit. " : "") +
+              "Intervals are from the variance between " + name + ", so few " + name +
+              " give wide intervals however many samples there are."};
+}
+
 /// What a reader takes from the numbers: fragilities, or a chart.
 std::vector<Assumption> reading_assumptions(const Results& results) {
   if (results.chart) {
@@ -86,6 +100,7 @@ std::vector<Assumption> reading_assumptions(const Results& results) {
                  ": a recommendation, not a bound, as single motions give more slip. Percentiles "
                  "are over records. Each is the largest over the building periods. Of one record "
                  "there is neither: its peak slip is shown."},
+            independence(results),
             {"Interpolation",
              "Linear in slope and friction between the chart's points; none between levels, and "
              "nothing beyond the axes."}};
@@ -95,16 +110,12 @@ std::vector<Assumption> reading_assumptions(const Results& results) {
              "Each level has records of its own, which represent the motions of that level. Curves "
              "are fitted to the shares that exceed, by the binomial likelihood (Baker 2015); no "
              "record has a capacity."},
-            {"Independence",
-             "Motions are the independent unit; one that is in several stripes is one unit. "
-             "Intervals are from the variance between motions."}};
+            independence(results)};
   return {
       {"Capacity",
        "The lowest intensity at which the slip first reaches the clearance. Slip does not always "
        "grow with intensity; the share that falls below again is given as 'recross'."},
-      {"Independence",
-       "Records are the independent unit. Intervals are from the variance between records, so a "
-       "suite of few records gives wide intervals however many samples there are."}};
+      independence(results)};
 }
 
 std::string roof_text(const Results& results) {

@@ -112,7 +112,8 @@ Figure fragility_figure(const Results& results, const RunResults& run) {
                  "reaches the clearance (those that never do are censored; the share that slides "
                  "freely is in the curve)") +
           ". Points: share of histories that exceed it at a level. Shaded: 95 % interval "
-          "from the variance between records."};
+          "from the variance between " +
+          units_name(results) + "."};
   Panel panel{"",
               {results.intensity_label, 0.0, results.levels.back()},
               {"Probability that slip in plan exceeds the clearance", 0.0, 1.0}};
@@ -120,7 +121,8 @@ Figure fragility_figure(const Results& results, const RunResults& run) {
   add_direct_labels(panel, run);
   panel.series.push_back({DataSeries::Kind::band, look(Role::largest), "",
                           std::string(are_a_few(run) ? "shaded" : "shaded and [ ]") +
-                              ": 95 % interval over records; points: observed shares"});
+                              ": 95 % interval over " + units_name(results) +
+                              "; points: observed shares"});
   if (are_a_few(run))
     for (const ThresholdFragility& fragility : run.fragilities)
       figure.caption += " " + threshold_text(results, fragility) + ".";

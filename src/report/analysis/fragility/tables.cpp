@@ -323,7 +323,7 @@ Table slip_table(const Results& results) {
                                [](const S& slip) { return !std::isnan(slip.mean_vector_m); });
   });
   Table table = with_listed(results, t);
-  table.add_note(open_percentile(results.records.size()));
+  table.add_note(open_percentile(results));
   table.add_note(
       "The interval of a mean covers less than 95 % (90 % or more; theory, 6.5) where the "
       "displacements of the records have a log standard deviation above 2.");

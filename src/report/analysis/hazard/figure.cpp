@@ -76,13 +76,13 @@ Figure hazard_figure(const Results& results) {
   Figure figure{
       "hazard", "Annual rate of exceeding a displacement",
       run_below(results, results.runs.front()) + "; hazard curve " + curve_name(hazard),
-      fmt::format("Shaded: 95 % interval over records, of the first curve. Drawn to {} (farther: "
+      fmt::format("Shaded: 95 % interval over {}, of the first curve. Drawn to {} (farther: "
                   "tables/hazard_curve.csv). Where a curve becomes level it is that of "
                   "shaking above the highest level of the study, {}, all of which counts as "
                   "exceeding (rate {:.3g} a year). Not drawn where histories slide farther at the "
                   "lowest level already. All combinations: tables/hazard_curve.csv.",
-                  format_length(last_m(panel)), at_intensity(results, results.levels.back()),
-                  hazard.beyond_rate)};
+                  units_name(results), format_length(last_m(panel)),
+                  at_intensity(results, results.levels.back()), hazard.beyond_rate)};
   for (const TargetDisplacement& row : hazard.runs.front().targets) {
     if (row.annual_rate < panel.y.low || row.annual_rate > panel.y.high) continue;
     panel.rules.push_back({Rule::Kind::horizontal, row.annual_rate, look(Role::reference), ""});

@@ -133,7 +133,7 @@ Table hazard_table(const Results& results, std::optional<double> threshold_m) {
      return NumberCell{{probability_in(50.0, row.annual_rate.value), {}}, sign_of(row)};
    }).detail = true;
   t.number("effective_records", "Effective number of records",
-           "number of records that carry the rate", &R::effective_records);
+           "number of records, or events, that carry the rate", &R::effective_records);
   t.share("beyond_share", "Beyond levels",
           "part of the rate from histories that do not reach it at the highest level",
           &R::beyond_share);
@@ -154,10 +154,11 @@ Table hazard_table(const Results& results, std::optional<double> threshold_m) {
       "is an upper bound (<), without an interval.",
       "Half of it above: half of the annual rate is of shaking stronger than this (the median of "
       "its deaggregation by intensity).",
-      "Effective number of records: (sum r)^2 / sum r^2 of the rates r by record. Where few "
-      "records "
-      "carry the rate, the upper end may be too low. The hazard curve and the friction tests are "
-      "outside the interval."};
+      "Effective number of records: (sum r)^2 / sum r^2 of the rates r by " +
+          (units_name(results) == "events" ? std::string("event") : "record") +
+          ". Where few carry the rate, the upper end may be too low. The hazard curve and the "
+          "friction tests are "
+          "outside the interval."};
   return with_listed(results, t);
 }
 

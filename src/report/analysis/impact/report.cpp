@@ -72,7 +72,7 @@ Table impact_table(const Results& results) {
            "s");
   t.add_each(results.runs, &RunResults::impact);
   Table table = with_listed(results, t);
-  table.add_note(open_percentile(results.records.size()));
+  table.add_note(open_percentile(results));
   return table;
 }
 

@@ -93,8 +93,9 @@ Figure intensity_measures_figure(const Results& results) {
   DataSeries sufficient = points(0, "no dependence on magnitude or distance found"),
              insufficient = points(
                  1, fmt::format("depends on magnitude or distance (p < {:g})", significant_p)),
-             bars{DataSeries::Kind::line, look(Role::record), "95 % interval over records",
-                  "95 % interval over records"};
+             bars{DataSeries::Kind::line, look(Role::record),
+                  "95 % interval over " + units_name(results),
+                  "95 % interval over " + units_name(results)};
   bars.look.width = 4.0;
   double right = 0.0;
   for (std::size_t i = 0; i < ranking.size(); ++i) {
@@ -175,7 +176,9 @@ Html section(const Results& results) {
              "capacity in one measure is one in any other of the same scaled record. The "
              "dispersion between records decides how many records a fragility needs. A measure "
              "is sufficient where the capacity in it does not depend on magnitude and distance: "
-             "only then does it not matter from which earthquakes the records are.") +
+             "only then does it not matter from which earthquakes the records are. The tests of "
+             "that "
+             "(p) take each record as independent.") +
          wide_table(intensity_measures_table(results));
 }
 

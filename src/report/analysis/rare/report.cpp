@@ -42,7 +42,7 @@ Table rare_table(const Results& results) {
            "number of samples that carry the probability", &R::effective_samples)
       .detail = true;
   t.number("effective_records", "Effective number of records",
-           "number of records that carry the probability", &R::effective_records);
+           "number of records, or events, that carry the probability", &R::effective_records);
   t.number("plain_samples", "Plain Monte Carlo samples",
            "samples of plain Monte Carlo with the same sampling error", &R::plain_samples)
       .detail = true;
@@ -56,13 +56,12 @@ Table rare_table(const Results& results) {
       .detail = true;
   t.add_each(results.rare->rows);
   t.notes = {
-      "Samples: interval from independent scrambles, on these records. Records: interval over "
-      "records.",
-      fmt::format(
-          "Effective number: (sum p)^2 / sum p^2 of the contributions p of the samples, of "
-          "the records. With fewer than {:g} of the samples the error of the samples is "
-          "not known (-); with few of the records the upper end over records may be too low.",
-          least_effective_samples),
+      "Samples: interval from independent scrambles, on these records. Records: interval over " +
+          units_name(results) + ".",
+      fmt::format("Effective number: (sum p)^2 / sum p^2 of the contributions p of the samples, of "
+                  "the {}. With fewer than {:g} of the samples the error of the samples is "
+                  "not known (-); with few of the {} the upper end over them may be too low.",
+                  units_name(results), least_effective_samples, units_name(results)),
       "Plain Monte Carlo samples: as many would be required for the same sampling error."};
   return t;
 }
@@ -97,12 +96,12 @@ std::vector<std::string> sentences(const Results& results) {
   if (row == nullptr) return {};
   return {fmt::format(
       "At {} slip reaches {} with a probability of {} (95 %: {} to {} of the samples, {} to {} of "
-      "the records; effective number of records {:.1f} of {}). Plain Monte Carlo would need {:.2g} "
+      "the {}; effective number of them {:.1f} of {}). Plain Monte Carlo would need {:.2g} "
       "samples for that sampling error; {} were run.",
       at_intensity(results, row->level), format_length(row->threshold_m), small(row->probability),
       small(row->sampling_interval.low), small(row->sampling_interval.high),
-      small(row->record_interval.low), small(row->record_interval.high), row->effective_records,
-      results.records.size(), row->plain_samples, results.cases.samples)};
+      small(row->record_interval.low), small(row->record_interval.high), units_name(results),
+      row->effective_records, unit_count(results), row->plain_samples, results.cases.samples)};
 }
 
 std::string summary(const Results& results) {
@@ -114,16 +113,18 @@ Figure rare_figure(const Results& results) {
   const RareResults& rare = *results.rare;
   Figure figure{"rare", "Probability that slip reaches the clearance",
                 cases_below(results, {0, results.cases.size()}) + ", friction " + rare.friction +
-                    "; 95 % intervals: bars of the samples, shaded over records",
+                    "; 95 % intervals: bars of the samples, shaded over " + units_name(results),
                 "Lines: estimate. Bars: 95 % interval of the samples, from independent scrambles. "
-                "Shaded: 95 % interval over records. Quantities without bounds are drawn from "
-                "wider distributions, with weights."};
+                "Shaded: 95 % interval over " +
+                    units_name(results) +
+                    ". Quantities without bounds are drawn from wider distributions, with "
+                    "weights."};
   Panel panel{"",
               {results.intensity_label, 0.0, 1.05 * results.levels.back()},
               log_axis("Probability", least, 1.0,
                        [](double probability) { return fmt::format("{:g}", probability); })};
   View records{rare_table(results), "level", {}, {{"condition", rare.rows.front().condition}}};
-  records.spread_name = "95 % over records";
+  records.spread_name = "95 % over " + units_name(results);
   keep_rows(records.table, "probability", [](double probability) { return probability >= least; });
   View samples = records;
   samples.spread = DataSeries::Kind::bars;

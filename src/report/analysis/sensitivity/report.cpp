@@ -88,8 +88,10 @@ Html section(const Results& results) {
       paragraph(
           "Of ln capacity, because its variance is the square of the log standard deviation "
           "that a fragility has. Shares at each level: tables/sensitivity_levels.csv. "
-          "Intervals are jackknife intervals over records and over groups of samples; the "
-          "records are taken as drawn from a population of records.");
+          "Intervals are jackknife intervals over " +
+          units_name(results) +
+          " and over groups of samples; the shares take the records as drawn, each by itself, from "
+          "a population of records.");
   if (!results.sensitivity->design_friction.empty())
     html += heading("The design value of friction") + wide_table(design_friction_table(results));
   return html;

@@ -140,9 +140,11 @@ Table design_friction_table(const Results& results) {
           &R::above_mean_error);
   t.add_each(results.sensitivity->design_friction);
   t.notes = {"Normal friction is below mean - 2 std with a probability of 2.3 %.",
-             "Intervals are over records, with the error of the samples added, which all records "
-             "share. Without the latter they are, but for the same motion, never narrower than "
-             "that of a binomial with one trial for each record."};
+             "Intervals are over " + units_name(results) +
+                 ", with the error of the samples added, which all records share. Without the "
+                 "latter they are, but for the same motion, never narrower than "
+                 "that of a binomial with one trial for each of the " +
+                 units_name(results) + "."};
   return t;
 }
 

@@ -97,10 +97,11 @@ Table shape_table(const Results& results) {
       .detail = true;
   add_each(t, results, 1);
   t.notes = {
-      "Not lognormal: p below 0.05 (Cramer-von Mises distance, parametric bootstrap, records as "
-      "the unit) and a gap of 0.05 or more. Best model: by cross-validation over records. Recross: "
-      "the largest share, over the levels, that reached the clearance at a lower level and does "
-      "not there. Of lognormal curves one in twenty has p below 0.05 by chance."};
+      "Not lognormal: p below 0.05 (Cramer-von Mises distance, parametric bootstrap over " +
+      units_name(results) + ") and a gap of 0.05 or more. Best model: by cross-validation over " +
+      units_name(results) +
+      ". Recross: the largest share, over the levels, that reached the clearance at a lower level "
+      "and does not there. Of lognormal curves one in twenty has p below 0.05 by chance."};
   return with_listed(results, t);
 }
 
@@ -122,8 +123,8 @@ Table shape_models_table(const Results& results) {
          "ln probability of a record by the model fitted on the others, per history and level",
          &S::score);
   number("difference", "To lognormal", "score less that of the lognormal", &S::difference);
-  number("standard_error", "Standard error", "standard error of the difference, over records",
-         &S::standard_error);
+  number("standard_error", "Standard error",
+         "standard error of the difference, over records or events", &S::standard_error);
   t.text("against", "Against lognormal", "verdict against the lognormal",
          [](const ShapeRun&, const S& shape, ShapeModel model) {
            return against_lognormal(shape, model);
@@ -132,7 +133,7 @@ Table shape_models_table(const Results& results) {
     for (const S& shape : run.thresholds)
       for (std::size_t m = 0; m < shape.score.size(); ++m)
         t.add(run, shape, static_cast<ShapeModel>(m));
-  t.notes = {"Better, worse: by more than two standard errors over records."};
+  t.notes = {"Better, worse: by more than two standard errors over " + units_name(results) + "."};
   return with_listed(results, t);
 }
 

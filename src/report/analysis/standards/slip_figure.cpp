@@ -39,15 +39,15 @@ void add_standard(Panel& panel, const Results& results, const RunResults& run, S
 
 Figure slip_vs_sds_figure(const Results& results, const RunResults& run) {
   const bool has_standards = !run.standards.empty();
-  const std::string open = open_percentile(results.records.size());
+  const std::string open = open_percentile(results);
   Figure figure{"slip_vs_sds",
                 std::string("Slip at increasing design intensity") +
                     (has_standards ? ", and what the standards prescribe" : ""),
                 run_below(results, run),
                 "Peak slip in plan over all histories at each S_DS: median, 84th and 95th "
                 "percentile and mean; shaded: 95 % intervals of the median and of the 84th "
-                "percentile over records. " +
-                    (open.empty() ? "" : open + " ") + "Friction " +
+                "percentile over " +
+                    units_name(results) + ". " + (open.empty() ? "" : open + " ") + "Friction " +
                     friction_and_listed(results, run) + "."};
   if (has_standards) {
     figure.caption +=

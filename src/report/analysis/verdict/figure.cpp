@@ -140,17 +140,17 @@ Figure verdict_figure(const Results& results) {
       fmt::format("Displacement that {:g} % exceed at DBE, over that of {}", accepted,
                   standard_name(standard)),
       results.suites.front().name + ", " + counts_of(results) +
-          "; the governing building; bars, side by side: 95 % over records" +
+          "; the governing building; bars, side by side: 95 % over " + units_name(results) +
           (has_upper_ends(verdict) ? "" : ", lower ends (upper ends: none)"),
       fmt::format(
           "Governing: the building with the largest ratio. Above 1 the prescribed displacement is "
-          "exceeded with more than {:g} % probability, given the design earthquake. Bars: "
-          "95 % intervals over records; one that ends at its point has no upper end: the "
-          "records are too few for one. Dotted: what the other standard prescribes over "
-          "it. Ratios below {:g} are drawn at it; a line ends where the array slides "
+          "exceeded with more than {0:g} % probability, given the design earthquake. Bars: "
+          "95 % intervals over {2}; one that ends at its point has no upper end: the "
+          "{2} are too few for one. Dotted: what the other standard prescribes over "
+          "it. Ratios below {1:g} are drawn at it; a line ends where the array slides "
           "freely. Lines are drawn a little apart, for their bars. All frictions and "
           "slopes, with intervals: tables/verdict.csv.",
-          accepted, least_ratio)};
+          accepted, least_ratio, units_name(results))};
   const std::vector<DataSeries> others = other_standard(verdict, standard);
   Table table = verdict_table(results);
   const auto ratio = std::ranges::find(table.columns, "ratio", &Column::stem);
@@ -189,8 +189,8 @@ Figure verdict_separations_figure(const Results& results) {
       fmt::format("Probability at DBE that a gap of half the displacement of {} closes",
                   standard_name(standard)),
       results.suites.front().name + ", " + counts_of(results) + "; arrays " +
-          neighbours_text(results) +
-          "; the governing building; bars, side by side: 95 % over records",
+          neighbours_text(results) + "; the governing building; bars, side by side: 95 % over " +
+          units_name(results),
       fmt::format("Friction: of the array; that of its neighbour is drawn (study). Lines are drawn "
                   "a little apart, for their bars. The larger of the gaps along "
                   "and across the slope. Horizontal line: {:g} %. "

@@ -189,8 +189,10 @@ Html section(const Results& results) {
          paragraph(
              "Probabilities are over records, samples and orientations, in the building whose "
              "period makes each largest. An interval is never narrower than that of a binomial "
-             "with one trial for each record. That of a displacement that 10 % of the histories "
-             "exceed has an upper end with 36 records or more, that of 1 % with 368 or more.");
+             "with one trial for each of the " +
+             units_name(results) +
+             ". That of a displacement that 10 % of the histories exceed has an upper end with 36 "
+             "of them or more, that of 1 % with 368 or more.");
 }
 
 }  // namespace

@@ -163,9 +163,9 @@ Table verdict_table(const Results& results) {
          "whether the interval lies on one side of the accepted probability",
          [&](const R& row) { return is_certain(verdict, row); });
   t.add_each(verdict.rows);
-  t.notes = {
-      "Intervals are over records, in the building that makes the number largest: the choice of "
-      "the building, friction tests and model are outside them."};
+  t.notes = {"Intervals are over " + units_name(results) +
+             ", in the building that makes the number largest: the choice of "
+             "the building, friction tests and model are outside them."};
   return t;
 }
 

@@ -90,7 +90,8 @@ ChartPoint make_point(const Chart& chart, const Results& results, const PointCas
   std::vector<Interval> mean_intervals;
   for (const auto& of_period : cases) {
     const std::vector<std::vector<double>> slips = slips_of(results, of_period, level);
-    mean_intervals.push_back(positive_mean_interval(means_by_record(slips)));
+    mean_intervals.push_back(
+        positive_mean_interval(results.histories.by_unit(means_by_record(slips))));
     point.by_period.push_back(statistics_of(slips));
   }
   const auto largest = [&](double ChartSlip::*which) {

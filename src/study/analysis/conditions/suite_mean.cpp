@@ -37,6 +37,7 @@ class Values {
   Values(const Results& results, const MeanQuestion& question, const Condition& at, Periods periods)
       : records_(records_of(results, question.suite)),
         orientations_(orientations_of(results, question)) {
+    for (const std::size_t record : records_) units_.push_back(results.histories.unit(record));
     const ConditionGrid grid(results);
     const std::vector<Condition> places =
         periods == Periods::one ? std::vector{at} : along(grid, ConditionAxis::period, at);
@@ -81,7 +82,7 @@ class Values {
       const double sum = std::accumulate(values.begin(), values.end(), 0.0);
       if (sum / static_cast<double>(values_.depth) == largest) break;
     }
-    return positive_mean_interval(values);
+    return positive_mean_interval(UnitValues(values, units_));
   }
   /// Of all records and orientations.
   double largest() const { return *std::max_element(values_.data.begin(), values_.data.end()); }
@@ -94,7 +95,7 @@ class Values {
   }
 
  private:
-  std::vector<std::size_t> records_, orientations_;
+  std::vector<std::size_t> records_, orientations_, units_;
   Array3 values_;
 };
 

@@ -174,8 +174,8 @@ void add_design_life(const HazardConfig& hazard, const Results& results, CaseSli
                                                          static_cast<double>(most_lives)));
   const Lives lives = draw_lives(hazard.curve, levels, first, run.events, count, options.seed);
   const LifeModel model(results, cases);
-  const std::size_t records = results.histories.records;
-  const auto slips = model.slips_m(lives, count, std::vector<double>(records, 1.0));
+  const HistoryTable& table = results.histories;
+  const auto slips = model.slips_m(lives, count, std::vector<double>(table.records, 1.0));
   const Percentiles found = percentiles_of(slips);
   for (std::size_t q = 0; q < life_quantities.size(); ++q)
     for (const double p : distribution_at)
@@ -185,7 +185,8 @@ void add_design_life(const HazardConfig& hazard, const Results& results, CaseSli
   const auto resampled = [&](const std::vector<double>& weights) -> const Percentiles& {
     const auto [at, is_new] = of_weights.try_emplace(weights);
     if (is_new)
-      at->second = percentiles_of(model.slips_m(lives, std::min(count, resampled_lives), weights));
+      at->second = percentiles_of(
+          model.slips_m(lives, std::min(count, resampled_lives), table.record_weights(weights)));
     return at->second;
   };
   BootstrapOptions few = options;
@@ -196,8 +197,8 @@ void add_design_life(const HazardConfig& hazard, const Results& results, CaseSli
       life[p].value = found[q][p];
       if (std::isinf(found[q][p]) || run.moving_share > 0.0) continue;  // no interval
       const Interval interval = bootstrap_interval(
-          records, [&](const std::vector<double>& weights) { return resampled(weights)[q][p]; },
-          few);
+          table.units(),
+          [&](const std::vector<double>& weights) { return resampled(weights)[q][p]; }, few);
       // Fewer lives in a resample: the estimate may be a rank outside.
       life[p].interval = {std::min(interval.low, found[q][p]),
                           std::max(interval.high, found[q][p])};

@@ -87,7 +87,7 @@ struct Rates {
   Interval interval(const std::vector<double>& by_record) const {
     const bool unseen =
         std::ranges::all_of(by_record, [&](double r) { return r <= (1.0 + 1e-12) * highest; });
-    return unseen ? Interval{} : positive_mean_interval(by_record);
+    return unseen ? Interval{} : positive_mean_interval(results.histories.by_unit(by_record));
   }
 
   Estimate estimate(const std::vector<double>& by_record) const {
@@ -124,7 +124,8 @@ struct Rates {
     }
     ThresholdRate row{.threshold_m = fragility.threshold_m};
     row.annual_rate = estimate(by_record);
-    if (std::isfinite(row.annual_rate.value)) row.effective_records = effective_number(by_record);
+    if (std::isfinite(row.annual_rate.value))
+      row.effective_records = effective_number(results.histories.by_unit(by_record));
     row.beyond_share =
         fragility.censored_share == 1.0
             ? 1.0
@@ -229,7 +230,7 @@ void add_curve(const Rates& rates, HazardRun& run) {
     row.intensity = rates.hazard.curve.intensity_at(target);
     auto& [displacement_m, interval] = row.displacement_m;
     if (std::isfinite(displacement_m) && displacement_m > displacements.front() &&
-        row.below_share == 0.0 && rates.records() > 1)
+        row.below_share == 0.0 && rates.results.histories.units() > 1)
       interval = {displacement_at(target, displacements, band.low),
                   displacement_at(target, displacements, band.high)};
   }

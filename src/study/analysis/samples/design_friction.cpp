@@ -111,8 +111,7 @@ Interval with_samples(const Interval& records, double probability, double error,
 DesignFrictionRow row_of(const Results& results, const FrictionPair& pair, std::size_t level,
                          const BootstrapOptions& options) {
   const PairAtLevel at(results, pair, level);
-  const std::size_t records = results.records.size();
-  const std::vector<double> once(records, 1.0);
+  const std::vector<double> once(results.records.size(), 1.0);
   DesignFrictionRow row{
       .first_case = pair.drawn,
       .condition = results.cases.describe(pair.drawn / pair.count, {"friction.value"}),
@@ -120,9 +119,12 @@ DesignFrictionRow row_of(const Results& results, const FrictionPair& pair, std::
       .same_motion = {at.same_motion(once), {}},
       .design_mean_m = at.design_mean_m(once),
       .above_mean = {at.above_mean(once), {}}};
+  const std::size_t units = results.histories.units();
+  const double effective = effective_units(results);
   const std::vector<Interval> intervals = bootstrap_intervals(
-      records, 2,
-      [&](const std::vector<double>& weights) {
+      units, 2,
+      [&](const std::vector<double>& of_units) {
+        const std::vector<double> weights = results.histories.record_weights(of_units);
         return std::vector{at.same_motion(weights), at.above_mean(weights)};
       },
       options);
@@ -134,9 +136,9 @@ DesignFrictionRow row_of(const Results& results, const FrictionPair& pair, std::
   row.same_motion_error = errors.same_motion;
   row.above_mean_error = errors.above_mean;
   row.same_motion.interval =
-      with_samples(shows ? intervals[0] : widened(intervals[0], same_motion, records), same_motion,
-                   errors.same_motion, groups);
-  row.above_mean.interval = with_samples(widened(intervals[1], above_mean, records), above_mean,
+      with_samples(shows ? intervals[0] : widened(intervals[0], same_motion, effective),
+                   same_motion, errors.same_motion, groups);
+  row.above_mean.interval = with_samples(widened(intervals[1], above_mean, effective), above_mean,
                                          errors.above_mean, groups);
   return row;
 }

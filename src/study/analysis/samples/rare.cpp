@@ -46,12 +46,12 @@ class RareEvent {
     row.plain_samples = found.plain_samples;
     row.effective_samples = found.effective_samples;
     if (found.standard_error > 0.0) row.sampling_interval = {found.low, found.high};
-    add_records(of_record, row);
+    add_records(results_.histories.by_unit(of_record), row);
     return row;
   }
 
  private:
-  static void add_records(const std::vector<double>& of_record, RareRow& row) {
+  static void add_records(const UnitValues& of_record, RareRow& row) {
     row.effective_records = effective_number(of_record);
     if (row.probability == 0.0) return;
     row.record_interval = positive_mean_interval(of_record);

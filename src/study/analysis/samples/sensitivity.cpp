@@ -15,6 +15,10 @@
 namespace glissade {
 namespace {
 
+constexpr std::size_t least_units = 3;
+constexpr const char* least_units_text =
+    "three records or more, of three events where they are stated";
+
 /// The samples of a run, as they were drawn.
 class SampleDesign {
  public:
@@ -35,6 +39,7 @@ class SampleDesign {
     CrossedResponse response =
         is_given_data_ ? CrossedResponse(results_.records.size(), groups(run), blocks_)
                        : CrossedResponse(results_.records.size(), factors_.size(), samples);
+    response.set_units(results_.histories.unit_of);
     for (std::size_t record = 0; record < response.records(); ++record) {
       for (std::size_t matrix = 0; matrix < response.matrices(); ++matrix) {
         for (std::size_t k = 0; k < samples; ++k)
@@ -46,12 +51,12 @@ class SampleDesign {
 
  private:
   void check(const StudyConfig& config) const {
-    constexpr std::size_t least_records = 3, least_samples = 32;
+    constexpr std::size_t least_samples = 32;
     const auto refuse = [&](const std::string& what) {
       throw InputError({config.file.string(), "[sensitivity] of finished results needs " + what,
                         "run the study with [sensitivity]", ""});
     };
-    if (results_.records.size() < least_records) refuse("three records or more");
+    if (results_.histories.units() < least_units) refuse(least_units_text);
     if (config.sampling.samples < least_samples)
       refuse(std::to_string(least_samples) + " samples or more");
     // Sobol points of one scramble depend on each other, so that their scatter says nothing.
@@ -170,11 +175,10 @@ SensitivityResults SensitivityAnalysis::find(const StudyConfig& config, const Re
   return found;
 }
 
-void SensitivityAnalysis::check(const StudyConfig& study, std::size_t records,
+void SensitivityAnalysis::check(const StudyConfig& study, std::size_t units,
                                 ProblemList& problems) {
-  constexpr std::size_t least_records = 3;
-  if (study.sensitivity && records < least_records)
-    problems.add({study.file.string(), "[sensitivity] needs three records or more",
+  if (study.sensitivity && units < least_units)
+    problems.add({study.file.string(), std::string("[sensitivity] needs ") + least_units_text,
                   "give more records, or leave out [sensitivity]", ""});
 }
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numeric>
 #include <tuple>
 
@@ -20,17 +21,20 @@ bool is_same_motion(const RecordSummary& a, const RecordSummary& b) {
   return known(a) == known(b);
 }
 
-/// By record: its motion, named by the first record that is it. Without stripes by level each is
-/// its own.
-std::vector<std::size_t> motions_of(const Results& results) {
-  std::vector<std::size_t> motions;
-  for (std::size_t record = 0; record < results.histories.records; ++record) {
-    std::size_t first = results.by_stripes ? 0 : record;
-    while (first < record && !is_same_motion(results.records[first], results.records[record]))
-      ++first;
-    motions.push_back(first);
+/// By record: its independent unit. Of multiple stripes without events its motion, named by the
+/// first record that is it.
+std::vector<std::size_t> stripe_units(const Results& results) {
+  const HistoryTable& table = results.histories;
+  std::vector<std::size_t> units;
+  for (std::size_t record = 0; record < table.records; ++record) {
+    std::size_t first = table.unit(record);
+    if (results.by_stripes && table.unit_of.empty()) {
+      first = 0;
+      while (!is_same_motion(results.records[first], results.records[record])) ++first;
+    }
+    units.push_back(first);
   }
-  return motions;
+  return units;
 }
 
 }  // namespace
@@ -57,6 +61,11 @@ std::vector<Bracket> capacities_of(const Results& results, CaseSlice cases, std:
   return capacities_of(results.histories, all_of(cases), threshold, results.levels.back());
 }
 
+std::vector<Bracket> by_unit(std::vector<Bracket> rows, const HistoryTable& histories) {
+  for (Bracket& row : rows) row.record = histories.unit(row.record);
+  return rows;
+}
+
 std::vector<Stripe> stripes_of(const Results& results, const std::vector<std::size_t>& cases,
                                std::size_t threshold) {
   const HistoryTable& table = results.histories;
@@ -64,7 +73,10 @@ std::vector<Stripe> stripes_of(const Results& results, const std::vector<std::si
     return results.by_stripes ? !slides_freely(results.cases.cases[i])
                               : table.capacity(record, i, threshold) > 0.0;
   };
-  const std::vector<std::size_t> motions = motions_of(results);
+  const std::vector<std::size_t> units = stripe_units(results);
+  // By unit: its records at each stripe. Those at the one with the most have all of its histories.
+  std::map<std::size_t, std::map<std::size_t, std::size_t>> records_at;
+  std::map<std::size_t, std::size_t> most;
   std::vector<Stripe> rows;
   for (std::size_t record = 0; record < table.records; ++record) {
     std::vector<std::size_t> others;  // than those that slide freely
@@ -72,14 +84,19 @@ std::vector<Stripe> stripes_of(const Results& results, const std::vector<std::si
       if (needs_shaking(record, i)) others.push_back(i);
     const auto trials = static_cast<double>(others.size()),
                free = static_cast<double>(cases.size()) - trials;
-    if (motions[record] == record) rows.push_back({0.0, free, free, 1.0, record});
+    const std::size_t unit = units[record],
+                      at =
+                          ++records_at[unit][table.stripe_of.empty() ? 0 : table.stripe_of[record]];
+    if (at > most[unit]) {
+      most[unit] = at;
+      rows.push_back({0.0, free, free, 1.0, unit});
+    }
     for (std::size_t level = 0; level < results.levels.size(); ++level) {
       if (!table.has(record, level)) continue;
       const auto exceed = std::ranges::count_if(others, [&](std::size_t i) {
         return table.displacement_m(record, i, level) >= results.thresholds_m[threshold];
       });
-      rows.push_back(
-          {results.levels[level], trials, static_cast<double>(exceed), 1.0, motions[record]});
+      rows.push_back({results.levels[level], trials, static_cast<double>(exceed), 1.0, unit});
     }
   }
   return rows;
@@ -87,13 +104,15 @@ std::vector<Stripe> stripes_of(const Results& results, const std::vector<std::si
 
 namespace {
 
-/// By record and level; empty where a displacement is not known.
+/// By unit and level; empty where a displacement is not known.
 std::vector<std::vector<SlipSums>> slips_of(const Results& results, CaseSlice cases) {
   const HistoryTable& table = results.histories;
-  std::vector<std::vector<SlipSums>> slips(table.records);
+  std::vector<SlipSums> none;
+  for (const double level : results.levels) none.push_back({.intensity = level});
+  std::vector<std::vector<SlipSums>> slips(table.units(), none);
   for (std::size_t record = 0; record < table.records; ++record) {
     for (std::size_t level = 0; level < table.levels; ++level) {
-      SlipSums& sums = slips[record].emplace_back(SlipSums{.intensity = results.levels[level]});
+      SlipSums& sums = slips[table.unit(record)][level];
       for (std::size_t i = cases.first; i < cases.first + cases.count; ++i) {
         if (slides_freely(results.cases.cases[i])) continue;
         const double displacement_m = table.displacement_m(record, i, level);
@@ -113,7 +132,7 @@ ShapeData shape_data(const Results& results, CaseSlice cases) {
                  .slips = slips_of(results, cases)};
   for (std::size_t t = 0; t < results.thresholds_m.size(); ++t) {
     data.stripes.push_back(stripes_of(results, all_of(cases), t));
-    data.capacities.push_back(capacities_of(results, cases, t));
+    data.capacities.push_back(by_unit(capacities_of(results, cases, t), results.histories));
   }
   return data;
 }

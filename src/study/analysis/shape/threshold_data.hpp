@@ -16,8 +16,11 @@ std::vector<Bracket> capacities_of(const HistoryTable& histories,
                                    double highest_level);
 std::vector<Bracket> capacities_of(const Results& results, CaseSlice cases, std::size_t threshold);
 
-/// Counts at the levels. Of multiple stripes by motion: one that is in several stripes is one
-/// record of the data, whose histories depend on each other.
+/// With the independent unit in the place of the record.
+std::vector<Bracket> by_unit(std::vector<Bracket> rows, const HistoryTable& histories);
+
+/// Counts at the levels, by independent unit. Of multiple stripes without events a motion that is
+/// in several stripes is one.
 std::vector<Stripe> stripes_of(const Results& results, const std::vector<std::size_t>& cases,
                                std::size_t threshold);
 

@@ -27,9 +27,10 @@ RecordHeader dyna_header(const HeaderLines& lines, std::string direction) {
   const auto number = [&](const char* key) {
     return std::max(0.0, fortran_number(lines.value(key)).value_or(0.0));
   };
-  RecordHeader header{lines.value("EVENT_DATE_YYYYMMDD") + " " + lines.value("EVENT_TIME_HHMMSS"),
-                      lines.value("NETWORK") + "." + lines.value("STATION_CODE"),
-                      std::move(direction), lines.value("UNITS"), lines.value("EVENT_ID")};
+  RecordHeader header{
+      single_blanks(lines.value("EVENT_DATE_YYYYMMDD") + " " + lines.value("EVENT_TIME_HHMMSS")),
+      lines.value("NETWORK") + "." + lines.value("STATION_CODE"), std::move(direction),
+      lines.value("UNITS"), lines.value("EVENT_ID")};
   state_magnitude(header, "Mw=" + lines.value("MAGNITUDE_W") + " ML=" + lines.value("MAGNITUDE_L"),
                   {{"Mw=", "Mw"}, {"ML=", "ML"}});
   header.epicentral_km = number("EPICENTRAL_DISTANCE_KM");

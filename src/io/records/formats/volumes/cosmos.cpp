@@ -75,7 +75,7 @@ void read_cosmos_line(const RecordText& file, LineReader& lines, CosmosChannel& 
     channel = {};
     channel.kind = trimmed(line.substr(0, line.find("(Format")));
   } else if (const auto [tag, rest] = cosmos_line(line); tag == "Origin:") {
-    channel.header.event = single_blanks(rest);
+    if (lower_case(trimmed(rest)) != "to be determined") channel.header.event = single_blanks(rest);
   } else if (tag == "Hypocenter:") {
     std::tie(channel.event_latitude_deg, channel.event_longitude_deg) = two_numbers(rest);
     state_magnitude(channel.header, rest, {{"Mw=", "Mw"}, {"ML=", "ML"}, {"Ms=", "Ms"}});

@@ -89,9 +89,9 @@ void read_csmip_line(std::string_view line, const std::string& lower, CsmipChann
     channel.corrected = channel.corrected || lower.starts_with("corrected");
   else if (lower.starts_with("station"))
     stated.station = trimmed(line.substr(0, 18));
-  else if (stated.event.empty() &&
-           (lower.starts_with("record of") || lower.starts_with("rcrd of") ||
-            lower.find("earthquake") != std::string::npos))
+  else if (stated.event.empty() && (lower.starts_with("record of") || lower.starts_with("rcrd of")))
+    stated.event = single_blanks(line.substr(0, std::min(text_width, line.rfind(':'))));  // minutes
+  else if (stated.event.empty() && lower.find("earthquake") != std::string::npos)
     stated.event = single_blanks(line.substr(0, text_width));
   else if (lower.starts_with("chan"))
     channel.line = channel_line(line);
