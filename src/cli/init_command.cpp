@@ -206,11 +206,12 @@ void init(InitOptions o) {
                 terminal_width, 4));
   if (o.is_project())
     put("Not stated: {}\n",
-        wrapped((o.of_roof ? "suite.factor, report, author and date, building.storeys"
-                           : "building.storeys, building.diaphragm, hazard") +
-                    std::string(", site.fault_distance_km, friction.laboratory, tested_on and "
-                                "surface, array, clearances"),
-                terminal_width, 2));
+        wrapped(
+            (o.of_roof ? "suite.factor, report, author and date, building.storeys"
+                       : "building.storeys, building.diaphragm, hazard") +
+                std::string(", site.fault_distance_km, friction.source, laboratory, tested_on and "
+                            "surface, array, clearances"),
+            terminal_width, 2));
   put("Next    glissade check {}\n", quoted_for_shell(o.file));
 }
 

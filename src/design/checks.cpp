@@ -14,6 +14,7 @@
 #include "glissade/motion/scaling_rule.hpp"
 #include "glissade/motion/suite_scaling.hpp"
 #include "glissade/sampling/pull_test.hpp"
+#include "glissade/study/plan/plan.hpp"
 
 namespace glissade {
 namespace {
@@ -168,11 +169,30 @@ DesignCheck design_value_check(const ProjectSite& site) {
 
 /// Exception 2 of ASCE 7-16, 11.4.8, multiplies C_s beyond 1.5 T_S by 1.5: of a spectrum S_D1
 /// (supplement 3, recalled). Whether the suite, as it is scaled, meets that spectrum too.
-DesignCheck exception_2_check(const Project& project, const SuiteSpectra& spectra) {
+DesignCheck exception_2_check(const Project& project, const SpectraByRule& spectra,
+                              const std::vector<double>& factors, const PeriodRange& range) {
   constexpr double by_exception = 1.5;
   const TargetSpectrum mapped(project.site.mapped.value_or(project.site.target));
   const DesignSpectrum required{mapped.sds_g(), by_exception * mapped.sd1_g(),
                                 project.site.target.tl_s};
+  const RuleRatios ratios =
+      ratios_by_rule(spectra, factors, [&](double period_s) { return required.sa_g(period_s); });
+  return {fmt::format("average {} spectrum of the suite over the design spectrum with {:g} S_D1, "
+                      "{:.3g} to {:.3g} s",
+                      text_of(project.scaling_rule).combination, by_exception, range.from_s,
+                      range.to_s),
+          fmt::format("{:.3f} or more (at {:.3g} s), on average {:.3f}", ratios.lowest.ratio,
+                      ratios.lowest.period_s, ratios.mean),
+          fmt::format("{:g} of what is required over the design spectrum: exception 2 of ASCE "
+                      "7-16, 11.4.8, multiplies C_s at long periods by {:g}, and so S_D1 of a "
+                      "spectrum (by site.spectrum, with ss_g, s1_g and site_class; its largest S_a "
+                      "is S_DS / 0.9, so that S_DS stays)",
+                      least_over_target, by_exception),
+          missing_factor(project.scaling_rule, ratios) <= 1.0 / least_over_target};
+}
+
+/// The average of the suite in the results, at the periods of the rule that they have.
+DesignCheck exception_2_check(const Project& project, const SuiteSpectra& spectra) {
   const TargetSpectrum given(project.site.target);
   SpectraByRule average{{}, {{}}};
   for (std::size_t i = 0; i < spectra.periods_s.size(); ++i) {
@@ -183,20 +203,7 @@ DesignCheck exception_2_check(const Project& project, const SuiteSpectra& spectr
                                      given.design_sa_g(period_s));
   }
   expect_of_project(!average.periods_s.empty(), "spectra at the periods of the rule of scaling");
-  const RuleRatios ratios =
-      ratios_by_rule(average, {1.0}, [&](double period_s) { return required.sa_g(period_s); });
-  return {fmt::format("average {} spectrum of the suite over the design spectrum with {:g} S_D1, "
-                      "{:.3g} to {:.3g} s",
-                      text_of(spectra.rule).combination, by_exception, spectra.range.from_s,
-                      spectra.range.to_s),
-          fmt::format("{:.3f} or more (at {:.3g} s), on average {:.3f}", ratios.lowest.ratio,
-                      ratios.lowest.period_s, ratios.mean),
-          fmt::format("{:g} of what is required over the design spectrum: exception 2 of ASCE "
-                      "7-16, 11.4.8, multiplies C_s at long periods by {:g}, and so S_D1 of a "
-                      "spectrum (by site.spectrum, with ss_g, s1_g and site_class; its largest S_a "
-                      "is S_DS / 0.9, so that S_DS stays)",
-                      least_over_target, by_exception),
-          missing_factor(spectra.rule, ratios) <= 1.0 / least_over_target};
+  return exception_2_check(project, average, {1.0}, spectra.range);
 }
 
 }  // namespace
@@ -255,6 +262,27 @@ std::vector<DesignCheck> checks_before_analysis(const Project& project, std::siz
                       *mu.tests >= least_pull_tests && others == 0});
   }
   return checks;
+}
+
+std::vector<DesignCheck> checks_of_scaling(const Project& project, const Plan& demand) {
+  if (project.of_roof || !takes_exception_2(project.site.mapped.value_or(project.site.target)))
+    return {};
+  std::vector<double> factors = demand.factor_at_unit_level;
+  for (double& factor : factors) factor *= dbe_level(project);
+  return {exception_2_check(project, demand.scaling_spectra.front(), factors,
+                            period_range(project.scaling_rule, demand.first_periods))};
+}
+
+std::string separations_not_stated(const Project& project) {
+  std::vector<std::string> names;
+  const std::vector<Separation> all = separations_of(project.standard, 1.0);
+  for (std::size_t i = 0; i < all.size(); ++i)
+    if (!project.available_m[i]) names.push_back(all[i].what);
+  if (names.empty()) return "";
+  return fmt::format(
+      "available separations are not stated ([clearances]), without which the verdict is \"not "
+      "stated\": {}",
+      fmt::join(names, ", "));
 }
 
 std::string not_met_text(const DesignCheck& check) {

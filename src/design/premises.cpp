@@ -38,8 +38,9 @@ bool is_stated(const std::string& text) {
              begins);
 }
 
+/// As it is written where it stands for nothing.
 Statement stated(const std::string& text) {
-  return is_stated(text) ? Statement{text, true} : not_stated;
+  return text.empty() ? not_stated : Statement{text, is_stated(text)};
 }
 
 /// A day of the calendar, "2026-10-14".
@@ -56,8 +57,18 @@ bool is_date(const std::string& text) {
              .ok();
 }
 
-Statement dated(const std::string& text) {
-  return is_stated(text) ? Statement{text, is_date(text)} : not_stated;
+/// No test or report is of a day after the calculation: project.date, or the day on which it is
+/// made, whichever is earlier. The latter decides nothing else, so that outputs do not depend on
+/// it.
+Statement dated(const std::string& text, const Project& p) {
+  if (!is_date(text)) return {stated(text).text, false};
+  const bool is_of_project = is_date(p.title.date) && p.title.date <= p.read_on;
+  const std::string& last = is_of_project ? p.title.date : p.read_on;
+  if (text <= last) return {text, true};
+  return {fmt::format("{}, after {}, the {}", text, last,
+                      is_of_project ? "date of the calculation (project.date)"
+                                    : "day of this calculation (UTC)"),
+          false};
 }
 
 Found edition(const Project& p) {
@@ -76,22 +87,28 @@ Found importance(const Project& p) {
                    p.importance >= of_category};
 }
 
+/// Of a spectrum that is compared with mapped values where it is not of an analysis.
 Found hazard_analysis(const Project& p) {
-  const DesignTarget& target = p.site.target;
-  if (target.edition != AsceEdition::asce7_16) return {};
-  const std::string& stated = target.hazard_analysis;
-  if (target.is_mapped()) {
-    if (hazard_analysis_required(target).empty()) return Statement{"not required", true};
-    const std::string unmet = unmet_hazard_analysis(target);
-    return Statement{unmet.empty() ? stated : unmet, unmet.empty()};
-  }
-  if (!target.period_s.empty()) return {};  // compared with the mapped values
-  if (stated.starts_with("report") &&
-      std::ranges::any_of(stated, [](unsigned char c) { return std::isdigit(c) != 0; }))
-    return Statement{stated, true};
-  return Statement{(stated.empty() ? "not stated" : "\"" + stated + "\"") +
-                       ", and S_S, S_1 and site class are not stated, by which it is required",
-                   false};
+  const DesignTarget& target = p.site.mapped.value_or(p.site.target);
+  if (target.edition != AsceEdition::asce7_16 || p.site.is_of_analysis()) return {};
+  if (hazard_analysis_required(target).empty()) return Statement{"not required", true};
+  const std::string unmet = unmet_hazard_analysis(target);
+  return Statement{unmet.empty() ? exceptions_text(target) : unmet, unmet.empty()};
+}
+
+Found analysis_report(const Project& p) {
+  if (!p.site.is_of_analysis()) return {};
+  Statement found = stated(p.site.analysis.report);
+  if (!found.is_met && p.site.target.period_s.empty())
+    found.text +=
+        ", and S_S, S_1 and site class are not stated, by which 11.4.8 may require an analysis";
+  return found;
+}
+Found analysis_author(const Project& p) {
+  return p.site.is_of_analysis() ? Found(stated(p.site.analysis.author)) : Found();
+}
+Found analysis_date(const Project& p) {
+  return p.site.is_of_analysis() ? Found(dated(p.site.analysis.date, p)) : Found();
 }
 
 Found mapped_beside_spectrum(const Project& p) {
@@ -117,34 +134,30 @@ Found period(const Project& p) {
   constexpr double most_apart = 4.0;
   constexpr double of_storey_s = 0.1, of_hall_s = 0.25;  // ASCE 7-16, 12.8-8 (recalled); of 30 ft
   const ProjectBuilding& building = p.building;
-  if (p.of_roof || (!building.approximate_period_s && !building.storeys)) return {};
-  const double of_storeys_s = of_storey_s * building.storeys.value_or(1.0),
-               low_s = building.approximate_period_s.value_or(of_storeys_s),
-               high_s = building.approximate_period_s.value_or(std::max(of_storeys_s, of_hall_s));
+  if (p.of_roof) return {};
   const auto range = [](double from_s, double to_s) {
     return from_s == to_s ? fmt::format("{:.3g} s", to_s)
                           : fmt::format("{:.3g} to {:.3g} s", from_s, to_s);
   };
   const double shortest_s = building.period_s.front(), longest_s = building.period_s.back();
+  if (!building.approximate_period_s && !building.storeys)
+    return Statement{range(shortest_s, longest_s) +
+                         ", not checked: state storeys, or system and height_m in its place",
+                     false};
+  const double of_storeys_s = of_storey_s * building.storeys.value_or(1.0),
+               low_s = building.approximate_period_s.value_or(of_storeys_s),
+               high_s = building.approximate_period_s.value_or(std::max(of_storeys_s, of_hall_s));
   return Statement{
       fmt::format("{}, T_a {}{}", range(shortest_s, longest_s), range(low_s, high_s),
                   building.approximate_period_s ? "" : " (0.1 s for each storey, or a hall)"),
       shortest_s >= low_s / most_apart && longest_s <= most_apart * high_s};
 }
 
-/// Without the hash of a file of tests, which the friction table has.
-Found source(const Project& p) {
-  return p.friction.tested.empty() ? stated(p.friction.source)
-                                   : Statement{"pull tests of friction.file", true};
-}
+Found source(const Project& p) { return stated(p.friction.report); }
 Found laboratory(const Project& p) { return stated(p.friction.laboratory); }
-Found tested_on(const Project& p) { return dated(p.friction.tested_on); }
+Found tested_on(const Project& p) { return dated(p.friction.tested_on, p); }
 Found surface(const Project& p) {
-  Statement found = stated(p.friction.surface);
-  const std::string words = lower_case(found.text);
-  found.is_met = found.is_met &&
-                 (words.find("dry") != std::string::npos || words.find("wet") != std::string::npos);
-  return found;
+  return p.friction.surface.empty() ? not_stated : Statement{p.friction.surface_text(), true};
 }
 
 Found conditions(const Project& p) {
@@ -167,14 +180,14 @@ Found scaling_rule(const Project& p) {
 
 Found roof_report(const Project& p) { return p.of_roof ? Found(stated(p.roof.report)) : Found(); }
 Found roof_author(const Project& p) { return p.of_roof ? Found(stated(p.roof.author)) : Found(); }
-Found roof_date(const Project& p) { return p.of_roof ? Found(dated(p.roof.date)) : Found(); }
+Found roof_date(const Project& p) { return p.of_roof ? Found(dated(p.roof.date, p)) : Found(); }
 
 Found units(const Project& p) {
   const std::string unmarked = unmarked_numbers(p.unmarked_numbers);
   return unmarked.empty() ? Statement{"all with units", true} : Statement{unmarked, false};
 }
 
-constexpr const char* a_date = "a date: \"2026-10-14\"";
+constexpr const char* a_date = "a date, \"2026-10-14\", not after that of the calculation";
 
 constexpr std::array rows{
     PremiseRow{"units of lengths and weights", "project.units",
@@ -184,9 +197,14 @@ constexpr std::array rows{
     PremiseRow{"importance factor I_e", "standards.importance", "that of the risk category or more",
                importance},
     PremiseRow{"ground motion hazard analysis (ASCE 7-16, 11.4.8)", "site.hazard_analysis",
-               "a report with its spectrum, or the exception that is of the site class, where "
-               "S_S, S_1 and site class require it",
+               "where S_S, S_1 and site class require it: a spectrum of an analysis, or the "
+               "exception that is of the site class",
                hazard_analysis},
+    PremiseRow{"report on the spectrum", "site.hazard_report", "its title and number",
+               analysis_report},
+    PremiseRow{"author of the spectrum", "site.hazard_author", "who made the analysis",
+               analysis_author},
+    PremiseRow{"date of the spectrum", "site.hazard_date", a_date, analysis_date},
     PremiseRow{"S_S, S_1 and site class beside the spectrum", "site.ss_g",
                "stated: the spectrum is 80 % of theirs or more (21.3)", mapped_beside_spectrum},
     PremiseRow{"distance to the nearest active fault", "site.fault_distance_km",
@@ -199,10 +217,11 @@ constexpr std::array rows{
                diaphragm},
     PremiseRow{"building period", "building.period_s",
                "from a quarter of the approximate period T_a to 4 times it", period},
-    PremiseRow{"source of the friction", "friction.source", "the test report", source},
+    PremiseRow{"source of the friction", "friction.source", "number of the test report", source},
     PremiseRow{"laboratory of the friction tests", "friction.laboratory", "its name", laboratory},
     PremiseRow{"date of the friction tests", "friction.tested_on", a_date, tested_on},
-    PremiseRow{"surface of the friction tests", "friction.surface", "wet or dry", surface},
+    PremiseRow{"surface of the friction tests", "friction.surface", "\"dry\", \"wet\" or \"both\"",
+               surface},
     PremiseRow{"conditions of the standard", "array",
                "all met: else an unanchored array requires the approval of the authority",
                conditions},

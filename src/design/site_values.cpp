@@ -5,6 +5,7 @@
 
 #include "glissade/core/contract.hpp"
 #include "glissade/design/design_clearance.hpp"
+#include "glissade/motion/improbable.hpp"
 
 namespace glissade {
 namespace {
@@ -17,6 +18,16 @@ double coefficient(const DesignTarget& target, double design_g, double mapped_g)
 }  // namespace
 
 double ProjectFriction::design() const { return design_friction(Normal{mean, std}); }
+
+std::string ProjectFriction::surface_text() const {
+  return surface + (surface.empty() || surface_description.empty() ? "" : ": ") +
+         surface_description;
+}
+
+bool ProjectSite::is_of_analysis() const {
+  if (!target.period_s.empty()) return !mapped || !takes_exception_2(*mapped);
+  return !target.is_mapped() && target.edition == AsceEdition::asce7_16;
+}
 
 std::string category_text(const ProjectSite& site, const SiteValues& values) {
   const bool knows_s1 = site.target.is_mapped() || site.mapped;

@@ -106,8 +106,10 @@ std::vector<DesignWarning> warnings_on(const Project& project) {
     for (const auto& [key, value] : {std::pair{"mass_ratio", project.building.mass_ratio.back()},
                                      {"damping", project.building.damping}})
       add_found(improbable_value(parameters()[parameter_index("building", key)], value));
-    if (project.building.alpha.empty())
-      add_found(one_mass_sentence(project.building.storeys, project.building.period_s.back()));
+    const std::string one_mass =
+        one_mass_sentence(project.building.storeys, project.building.period_s.back());
+    if (project.building.alpha.empty() && !one_mass.empty())
+      add_found(one_mass + ". State building.storeys (1: it has one)");
   }
   std::vector<std::optional<double>> available_m = project.available_m;
   for (const ProjectGap& gap : project.gaps) available_m.emplace_back(gap.available_m);

@@ -19,6 +19,9 @@ inline constexpr EnumNames<ScalingRule> scaling_rule_names = {
     {"asce7_10", ScalingRule::asce7_10},
     {"asce7_16", ScalingRule::asce7_16},
     {"asce7_22", ScalingRule::asce7_22}};
+/// Of ASCE 7-16, 11.4.8.
+inline constexpr EnumNames<int> exception_names = {
+    {"exception 1 of 11.4.8", 1}, {"exception 2 of 11.4.8", 2}, {"exception 3 of 11.4.8", 3}};
 inline constexpr EnumNames<ArraySupport> support_names = {{"isolated", ArraySupport::isolated},
                                                           {"anchored", ArraySupport::anchored},
                                                           {"no_array", ArraySupport::no_array}};

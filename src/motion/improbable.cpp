@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <array>
-#include <sstream>
 
 #include "glissade/core/units.hpp"
 #include "glissade/motion/intensity.hpp"
@@ -62,22 +61,6 @@ std::vector<HazardAnalysisRule> rules_for(const DesignTarget& target) {
       if (is_of_class && target.*rule.value_g >= rule.least_g) found.push_back(rule);
     }
   return found;
-}
-
-/// "exceptions 1 and 3 of 11.4.8": 1, 3; none of a statement in other words.
-std::vector<int> exceptions_in(const std::string& stated) {
-  std::istringstream words(stated);
-  std::vector<int> numbers;
-  std::string word;
-  words >> word;
-  if (!word.starts_with("exception")) return {};
-  while (words >> word && word != "of") {
-    if (word == "and") continue;
-    if (word.back() == ',') word.pop_back();
-    if (word.size() != 1 || word[0] < '1' || word[0] > '3') return {};
-    numbers.push_back(word[0] - '0');
-  }
-  return numbers;
 }
 
 }  // namespace
@@ -165,35 +148,36 @@ std::string hazard_analysis_required(const DesignTarget& target) {
       rules.front().site_class, target.ss_g, target.s1_g);
 }
 
+std::string exceptions_text(const DesignTarget& target) {
+  return fmt::format("exception{} {} of 11.4.8", target.exceptions.size() == 1 ? "" : "s",
+                     fmt::join(target.exceptions, ", "));
+}
+
 bool takes_exception_2(const DesignTarget& target) {
   const auto is_2 = [](const HazardAnalysisRule& rule) { return rule.exception == 2; };
   return std::ranges::any_of(rules_for(target), is_2) &&
-         std::ranges::count(exceptions_in(target.hazard_analysis), 2) > 0;
+         std::ranges::count(target.exceptions, 2) > 0;
 }
 
 std::string unmet_hazard_analysis(const DesignTarget& target) {
   const auto rules = rules_for(target);
-  const std::string& stated = target.hazard_analysis;
   if (rules.empty()) return "";
-  if (stated.empty()) return "not stated";
-  if (stated.starts_with("report"))
-    return "\"" + stated +
-           "\", and the spectrum is not that of the report (spectrum, or sds_g and sd1_g)";
-  const std::vector<int> taken = exceptions_in(stated);
-  if (taken.empty()) return "\"" + stated + "\" names no exception by its number";
+  const std::vector<int>& taken = target.exceptions;
+  if (taken.empty()) return "not stated";
+  const std::string stated = exceptions_text(target);
   for (const HazardAnalysisRule& rule : rules) {
     if (std::ranges::count(taken, rule.exception) > 0) continue;
     const HazardAnalysisRule& other =
         hazard_analysis_rules.at(static_cast<std::size_t>(taken.front() - 1));
     return fmt::format(
-        "\"{}\", which is of site class {} with {} of {:g} g or more: the site is of class {} with "
+        "{}, which is of site class {} with {} of {:g} g or more: the site is of class {} with "
         "{} {:g} g, of exception {}",
         stated, other.site_class, other.mapped, other.least_g, rule.site_class, rule.mapped,
         target.*rule.value_g, rule.exception);
   }
   if (std::ranges::any_of(taken, [](int exception) { return exception != 2; }))
-    return "\"" + stated +
-           "\": exceptions 1 and 3 require F_a of class C, or the equivalent lateral force "
+    return stated +
+           ": exceptions 1 and 3 require F_a of class C, or the equivalent lateral force "
            "procedure, which this calculation does not have";
   return "";
 }

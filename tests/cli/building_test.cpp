@@ -189,6 +189,11 @@ TEST(Building, refuses_what_is_none_and_warns_of_missing_modes) {
     return building_json({"--masses", mass, "--stiffnesses", stiffness}).at("warnings");
   };
   EXPECT_TRUE(warnings("120", "9e4").empty());
+  EXPECT_THAT(building_json({"--storeys", "20", "--period-s", "0.3"}).at("warnings").dump(),
+              states("20 storeys"));
+  const std::string damped =
+      folder.write("h.csv", "period_s,participation,mass_share,damping\n0.5,1,1,40 %\n");
+  EXPECT_THAT(building_json({"--modes", damped}).at("warnings").dump(), states("damping 0.4"));
   for (const auto& [mass, stiffness] : {std::pair{"120", "9e7"}, {"120e3", "900"}})
     EXPECT_THAT(warnings(mass, stiffness).at(0).get<std::string>(), states("kN/m", "N/m"));
 }

@@ -6,6 +6,7 @@
 
 #include "cli/one_package.hpp"
 #include "cli/shaking.hpp"
+#include "complete_project.hpp"
 #include "facts.hpp"
 #include "glissade/core/units.hpp"
 #include "glissade/io/suite_file.hpp"
@@ -38,48 +39,6 @@ void write_recorded(const ScratchFolder& folder) {
   folder.write("recorded.toml", text);
 }
 
-std::string complete_project() {
-  return R"([project]
-name = "Roof of x_1, complete"
-[site]
-edition = "asce7_16"
-ss_g = 1.3
-s1_g = 0.45
-site_class = "C"
-tl_s = 8
-risk_category = "II"
-fault_distance_km = 30
-[building]
-period_s = 0.35
-mass_ratio = 0.02
-storeys = 2
-diaphragm = "rigid"
-[roof]
-slope_deg = "0.25:12"
-[friction]
-mu = { mean = 0.7, std = 0.02 }
-source = "report 7"
-tests = 9
-laboratory = "Own laboratory"
-tested_on = "2026-10-14"
-test_standard = "ASTM G115"
-surface = "wet TPO"
-[array]
-centre_of_mass_m = "11 in"
-support_spacing_m = "32 in"
-interconnection = 0.2
-[suite]
-file = "recorded.toml"
-[sampling]
-samples = 2
-[clearances]
-similar_array_m = "30 ft"
-obstruction_m = "30 ft"
-parapet_edge_m = "30 ft"
-open_edge_m = "30 ft"
-)";
-}
-
 TEST(CompletePackage, is_sufficient_and_without_a_premise_open) {
   const ScratchFolder folder;
   write_recorded(folder);
@@ -89,7 +48,7 @@ TEST(CompletePackage, is_sufficient_and_without_a_premise_open) {
         {"clearance", folder.write(name + ".toml", text), "--out", folder.path(name).string()});
     return nlohmann::json::parse(read_file(folder.path(name) / "package.json"));
   };
-  const auto whole = package_of("whole", complete_project());
+  const auto whole = package_of("whole", complete_project);
   EXPECT_EQ(whole.at("verdict"), "sufficient") << whole.at("warnings").dump(1);
   EXPECT_GT(whole.at("premises").size(), 10u);
   for (const auto& premise : whole.at("premises")) EXPECT_TRUE(premise.at("is_met")) << premise;
@@ -97,13 +56,32 @@ TEST(CompletePackage, is_sufficient_and_without_a_premise_open) {
   EXPECT_THAT(page, states("The available separations are sufficient", "Roof of x_1, complete"));
   EXPECT_THAT(page, Not(HasSubstr("OPEN")));
 
-  const auto open = package_of("open", replaced(complete_project(), "diaphragm = \"rigid\"\n", ""));
+  const auto open = package_of("open", replaced(complete_project, "diaphragm = \"rigid\"\n", ""));
   EXPECT_EQ(open.at("verdict"), "open");
   EXPECT_EQ(open.at("governing_m"), whole.at("governing_m"));
   EXPECT_THAT(read_file(folder.path("open") / "package.html"),
               states("Roof diaphragm: not stated", "NOT STATED: computed as rigid", ">OPEN<"));
   EXPECT_THAT(read_file(folder.path("open") / "tables/premises.csv"),
               states("building.diaphragm", "not stated"));
+}
+
+// Issue 48: demand.toml was named, by `glissade clearance` alone.
+TEST(CompletePackage, of_a_period_below_two_steps_is_a_fault_of_the_project) {
+  const ScratchFolder folder;
+  folder.write("recorded.toml",
+               "[suite]\nname = \"r\"\n[[record]]\nid = \"a\"\nfirst = \"a.txt\"\nsecond = "
+               "\"b.txt\"\n");
+  folder.write("a.txt", two_columns(shaking_g()));
+  folder.write("b.txt", two_columns(shaking_g(1.0)));
+  const std::string file =
+      folder.write("stiff.toml", replaced(complete_project, "period_s = 0.35", "period_s = 0.03"));
+  for (const std::vector<std::string>& command :
+       {std::vector<std::string>{"check", file},
+        {"clearance", file, "--out", folder.path("stiff").string()}}) {
+    const Finished child = run_program(command);
+    expect_refused(child, {"stiff.toml", "building.period_s"});
+    EXPECT_THAT(child.err, Not(HasSubstr("demand.toml")));
+  }
 }
 
 }  // namespace

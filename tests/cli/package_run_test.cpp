@@ -141,6 +141,17 @@ TEST_F(Package, check_of_a_project_says_what_would_run_and_writes_nothing) {
   EXPECT_THAT(taken.err, states("--overwrite"));
 }
 
+// Issue 48: what keeps a verdict open was stated after the run alone.
+TEST_F(Package, check_lists_separations_that_are_not_stated_and_each_warning_once) {
+  std::string text = replaced(moved_project(), "storeys = 2\n", "");
+  text = replaced(text, "similar_array_m = \"1.06 ft\"\n", "");
+  const std::string printed = one_line(succeeding({"check", folder_->write("few.toml", text)}).out);
+  EXPECT_THAT(printed, states("[clearances]", "similar", "building.storeys"));
+  const std::string slip = "too little slip";
+  EXPECT_EQ(printed.find(slip), printed.rfind(slip));
+  EXPECT_NE(printed.find(slip), std::string::npos);
+}
+
 TEST_F(Package, check_warns_that_11_4_8_needs_s_1_and_the_site_class) {
   const std::string text =
       replaced(replaced(moved_project(), "ss_g = 1.313\ns1_g = 0.471\nsite_class = \"default\"",

@@ -234,6 +234,25 @@ TEST_F(SlideModel, takes_the_buildings_that_studies_take) {
   EXPECT_GT(lines_of(read_file(history)).size(), 100u);
 }
 
+// By the rule of studies and of `glissade building`.
+TEST_F(SlideModel, warns_of_modes_and_storeys_that_no_building_has) {
+  const auto file = [&](const std::string& name, const std::string& row) {
+    return folder_.write(name, "period_s,participation,mass_share,damping\n" + row + "\n");
+  };
+  const std::string fair = file("f.csv", "0.6,1.2,0.95,5 %");
+  const auto warnings = [&](const std::vector<std::string>& building) {
+    return slide_json(with({"--second", second_, "--mu", "0.2", "--slope-deg", "2"}, building))
+        .at("warnings")
+        .dump();
+  };
+  EXPECT_EQ(warnings({"--modes", fair}), "[]");
+  EXPECT_THAT(warnings({"--modes", fair, "--modes-across", file("l.csv", "60,1,1,5 %")}),
+              states("along the second axis", "60 s is above 10 s"));
+  EXPECT_THAT(warnings({"--modes", fair, "--modes-across", file("t.csv", "0.6,0.5,0.4,40 %")}),
+              states("modes along the second axis", "40 % of the mass", "together", "damping 0.4"));
+  EXPECT_THAT(warnings({"--storeys", "20", "--period-s", "0.3"}), states("20 storeys"));
+}
+
 TEST_F(SlideModel, a_very_light_array_slides_as_one_without_mass) {
   const auto peak = [&](const char* ratio) {
     return slide_json({"--mu", "0.2", "--slope-deg", "2", "--period-s", "0.4", "--mass-ratio",

@@ -14,6 +14,8 @@
 // From the results of a project's studies to one governing displacement and its separations.
 namespace glissade {
 
+struct Plan;
+
 /// Design values of the site.
 struct SiteValues {
   double sds_g = 0.0, sd1_g = 0.0;
@@ -168,6 +170,11 @@ inline constexpr const char* simulated_motions_warning =
 
 /// Of the number of records and the friction.
 std::vector<DesignCheck> checks_before_analysis(const Project& project, std::size_t records);
+/// Of the suite as the demand study scales it: whether it meets the spectrum of exception 2 of
+/// 11.4.8, where that is taken.
+std::vector<DesignCheck> checks_of_scaling(const Project& project, const Plan& demand);
+/// Those that the project does not state: without them the verdict is "not stated"; empty: all are.
+std::string separations_not_stated(const Project& project);
 /// A warning.
 std::string not_met_text(const DesignCheck& check);
 

@@ -21,12 +21,21 @@ struct TitleBlock {
   std::string name, address, authority, code, engineer, licence, revision, date;
 };
 
+/// What numbers come from; empty: not stated.
+struct StatedReport {
+  std::string report, author, date;
+};
+
 struct ProjectSite {
   DesignTarget target;
   std::optional<DesignTarget> mapped;  ///< S_S, S_1 and site class beside a spectrum by points
   bool states_tl = true;               ///< or T_L is as usual
   RiskCategory risk = RiskCategory::ii;
   std::optional<double> fault_distance_km;  ///< to the nearest active fault
+  StatedReport analysis;                    ///< that gave the spectrum, or S_DS and S_D1
+
+  /// The spectrum is not that of the maps, nor of exception 2 of 11.4.8.
+  bool is_of_analysis() const;
 };
 
 struct ProjectBuilding {
@@ -47,11 +56,6 @@ struct ProjectBuilding {
   std::string diaphragm;  ///< of the roof: "rigid", "semirigid", "flexible"; empty: not stated
 };
 
-/// Where the motions of a roof come from; empty: not stated.
-struct RoofMotions {
-  std::string report, author, date;
-};
-
 /// What conditions of the standards ask; none: not stated.
 struct ProjectArray {
   std::string model, ballast, membrane;  ///< empty: not stated
@@ -69,8 +73,12 @@ struct ProjectFriction {
   std::string bound_direction;            ///< the one of the lower bound
   std::vector<TraceFriction> traces;      ///< of logged pull tests
   /// Of the test report; empty: not stated.
-  std::string laboratory, tested_on, test_standard, surface;
+  std::string report, laboratory, tested_on, test_standard;
+  std::string surface;  ///< "dry", "wet" or "both"
+  std::string surface_description;
 
+  /// "wet: TPO, feet of EPDM"
+  std::string surface_text() const;
   /// mean - 2 std (Walters et al. 2012), not below 0.
   double design() const;
 };
@@ -106,6 +114,7 @@ struct ProjectHazard {
 struct Project {
   std::filesystem::path file;
   std::string source_text;  ///< of the file, without its comments
+  std::string read_on;      ///< the day, UTC: "2026-10-14"
   TitleBlock title;
   UnitSystem units = UnitSystem::us_customary;
   ProjectSite site;
@@ -122,7 +131,7 @@ struct Project {
   bool of_roof = false;
   bool simulated_motions = false;  ///< the suite has no records
   double roof_factor = 1.0;        ///< on the motions of a roof, at the design earthquake
-  RoofMotions roof;
+  StatedReport roof;               ///< on its motions
   ScalingRule scaling_rule = ScalingRule::walters_2012;
   bool without_target = false;  ///< also one that falls short at periods above 2 s
   std::uint64_t samples = 128, seed = 1;

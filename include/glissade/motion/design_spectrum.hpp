@@ -44,8 +44,7 @@ struct DesignTarget {
   /// Not empty: these points count, linear in between; from 0.01 s or less to 5 s or more. The
   /// first holds below it; beyond the last the acceleration falls as 1/T.
   std::vector<double> period_s, design_sa_g;
-  /// Of ASCE 7-16, 11.4.8, as stated: the exception that is taken, or the report of the analysis.
-  std::string hazard_analysis;
+  std::vector<int> exceptions;  ///< of ASCE 7-16, 11.4.8, that are taken: 1, 2, 3
 
   bool is_mapped() const { return sds_g == 0.0 && period_s.empty(); }
 };

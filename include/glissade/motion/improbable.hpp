@@ -49,9 +49,11 @@ std::vector<std::string> notes_on(const Motion& motion);
 std::vector<std::string> improbable_values(const DesignTarget& target);
 /// What ASCE 7-16, 11.4.8 requires of a site of mapped values, empty: nothing.
 std::string hazard_analysis_required(const DesignTarget& target);
-/// Why what the target states of it does not meet that: an exception of another site class, or in
-/// words only; empty: it does, or nothing is required.
+/// Why what the target states of it does not meet that: nothing, or an exception of another site
+/// class; empty: it does, or nothing is required.
 std::string unmet_hazard_analysis(const DesignTarget& target);
+/// "exceptions 1, 3 of 11.4.8", of those that the target states.
+std::string exceptions_text(const DesignTarget& target);
 /// Exception 2, a rule on C_s, is stated and of the site class.
 bool takes_exception_2(const DesignTarget& target);
 

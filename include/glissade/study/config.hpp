@@ -148,8 +148,12 @@ struct StudyConfig : Analyses::InStudy {
   UnitSystem units = UnitSystem::si;  ///< of its report
   /// Of a study in US units: "thresholds_m = 1 (3.28 ft)", without a unit in the file.
   std::vector<std::string> unmarked_numbers;
-  /// What holds for keys that the file leaves out: "building.damping: 0.05".
-  std::vector<std::string> not_stated;
+  /// What holds for a key that the file leaves out.
+  struct NotStated {
+    std::string text;                      ///< "building.damping: 0.05"
+    const Parameter* parameter = nullptr;  ///< that it is; null: of no case
+  };
+  std::vector<NotStated> not_stated;
   std::filesystem::path file;  ///< the study file
   std::string source_text;     ///< the study file, verbatim
   /// Texts of the files that it names but suites (pull tests, curves, spectra), by their names.

@@ -111,6 +111,7 @@ void CalculationFolder::run(const std::string& name,
                .resume = goes_on ? folder.string() : "",
                .overwrite = options_.overwrite || !options_.resume.empty(),
                .quiet = true,
+               .made_of = identity_.project,
                .stop_file = path_ / "stop"},
               world_);
   } catch (const ExitStatus& exit) {

@@ -17,6 +17,7 @@
 #include "glissade/io/suite_file.hpp"
 #include "glissade/report/format.hpp"
 #include "glissade/study/plan/plan.hpp"
+#include "shared/option_errors.hpp"
 #include "shared/output_rule.hpp"
 #include "shared/put.hpp"
 
@@ -46,9 +47,11 @@ class TrialFolder {
   fs::path path_;
 };
 
-Plan plan_of(const fs::path& file, const std::string& study, const Suite& suite) {
+/// @param of the user's file, of which a fault of the study is one
+Plan plan_of(const fs::path& file, const fs::path& of, const std::string& study,
+             const Suite& suite) {
   write_text_file(file, study);
-  return make_plan(read_study(file), {suite});
+  return with_place_of(file, of, [&] { return make_plan(read_study(file), {suite}); });
 }
 
 void print_plan(const char* name, const Plan& plan) {
@@ -117,8 +120,8 @@ void check_product(const fs::path& file, const fs::path& out) {
   std::vector<std::string> shown;
   for (std::size_t i = 0; i < product.targets.size(); ++i) {
     const std::string name = fmt::format("target_{}", i + 1);
-    const Plan plan =
-        plan_of(trial.path() / (name + ".toml"), product_study(product, i, trial.path()), suite);
+    const Plan plan = plan_of(trial.path() / (name + ".toml"), file,
+                              product_study(product, i, trial.path()), suite);
     for (const std::string& warning : plan.warnings) {
       if (std::ranges::find(shown, warning) != shown.end()) continue;
       put_warning(warning);
@@ -137,12 +140,12 @@ void check_one(const Project& project) {
   const std::vector<PrescribedValue> prescribed = prescribed_values(project, site);
   const Suite suite = load_suite(project.suite);
   const TrialFolder trial;
-  const Plan demand =
-      plan_of(trial.path() / "demand.toml", demand_study(project, trial.path()), suite);
-  const Plan uncertainty =
-      plan_of(trial.path() / "uncertainty.toml", uncertainty_study(project, trial.path()), suite);
+  const Plan demand = plan_of(trial.path() / "demand.toml", project.file,
+                              demand_study(project, trial.path()), suite);
+  const Plan uncertainty = plan_of(trial.path() / "uncertainty.toml", project.file,
+                                   uncertainty_study(project, trial.path()), suite);
   const Plan probability = plan_of(
-      trial.path() / "probability.toml",
+      trial.path() / "probability.toml", project.file,
       probability_study(project, trial.path(),
                         compared_displacements_m(project, prescribed.front().prescribed.value_m)),
       suite);
@@ -154,8 +157,12 @@ void check_one(const Project& project) {
           !is_of_premise(project, warning))
         warnings.push_back(warning);
   }
-  for (const DesignCheck& check : checks_before_analysis(project, suite.motions.size()))
-    if (!check.is_met) warnings.push_back(not_met_text(check));
+  for (const auto& checks :
+       {checks_of_scaling(project, demand), checks_before_analysis(project, suite.motions.size())})
+    for (const DesignCheck& check : checks)
+      if (!check.is_met) warnings.push_back(not_met_text(check));
+  if (std::string text = separations_not_stated(project); !text.empty())
+    warnings.push_back(std::move(text));
   put("{:<12}{}\n", "project", wrapped(project.title.name, terminal_width, 12));
   put_warnings(warnings);
   put("{:<12}S_DS {:.3f} g, S_D1 {:.3f} g, category {}\n", "site", site.sds_g, site.sd1_g,

@@ -29,6 +29,7 @@
 #include "run/run_units.hpp"
 #include "run/stop_request.hpp"
 #include "shared/build.hpp"
+#include "shared/option_errors.hpp"
 #include "shared/output_rule.hpp"
 #include "shared/put.hpp"
 
@@ -144,8 +145,9 @@ std::vector<Suite> prepare_motions(RunOptions& options, TextFiles& files, Stoppe
 }
 
 /// Root makes the lists of the plan, and the ranks share its spectra.
-Plan make_shared_plan(const std::string& study, TextFiles files, std::vector<Suite> suites,
-                      const Communicator& world) {
+/// @param made_of as of RunOptions
+Plan make_shared_plan(const std::string& study, const fs::path& made_of, TextFiles files,
+                      std::vector<Suite> suites, const Communicator& world) {
   Plan plan;
   together(world, [&] { plan = begin_plan(read_study(study, files), std::move(suites)); });
   std::vector<std::vector<double>> spectra_g =
@@ -153,7 +155,7 @@ Plan make_shared_plan(const std::string& study, TextFiles files, std::vector<Sui
                   [&](std::size_t record) { return spectrum_to_scale(plan, record); });
   together(world, [&] { scale_plan(plan, std::move(spectra_g)); });
   check_same_plan(plan, world);
-  on_root(world, [&] { finish_plan(plan); });
+  on_root(world, [&] { with_place_of(study, made_of, [&] { finish_plan(plan); }); });
   share(plan, world);
   return plan;
 }
@@ -233,7 +235,8 @@ void run_study(RunOptions options, const Communicator& world) {
   const fs::path out = options.folder();
   clock.end_phase("motions");
 
-  const Plan plan = make_shared_plan(options.study, std::move(files), std::move(suites), world);
+  const Plan plan =
+      make_shared_plan(options.study, options.made_of, std::move(files), std::move(suites), world);
   RunIdentity identity;
   together(world, [&] { identity = identity_of(plan, GLISSADE_VERSION ", " + build_text()); });
   identity.part = options.part;

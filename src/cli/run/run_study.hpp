@@ -21,6 +21,7 @@ struct RunOptions {
   bool no_skip = false;
   bool overwrite = false;
   bool quiet = false;                    ///< no summary on the screen
+  std::filesystem::path made_of = {};    ///< the project file of the study; empty: the user's own
   std::filesystem::path stop_file = {};  ///< beside `stop` in the folder; empty: none
 
   std::filesystem::path folder() const;  ///< of the results

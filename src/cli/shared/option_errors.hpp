@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <filesystem>
 #include <vector>
 
 #include "glissade/core/io_error.hpp"
@@ -26,6 +27,18 @@ auto with_changed_problems(const Change& change, const Read& read) {
 template <class Read>
 auto of_option(const char* option, const Read& read) {
   return with_changed_problems([=](Problem& problem) { problem.where = option; }, read);
+}
+
+/// Where a study cannot be computed that the program made of the user's file `of`, that file is
+/// named; empty: the study is the user's.
+template <class Read>
+auto with_place_of(const std::filesystem::path& study, const std::filesystem::path& of,
+                   const Read& read) {
+  return with_changed_problems(
+      [&](Problem& problem) {
+        if (!of.empty() && problem.where == study.string()) problem.where = of.string();
+      },
+      read);
 }
 
 }  // namespace glissade::cli

@@ -133,16 +133,27 @@ DesignTarget read_spectrum(const std::filesystem::path& file) {
 
 namespace {
 
-/// The exception of ASCE 7-16, 11.4.8, that is taken, or the report of the analysis.
-std::string read_hazard_analysis(const TomlTable& table) {
-  const std::string stated = table.text("hazard_analysis").value_or("");
-  if (!stated.empty() && !stated.starts_with("exception ") && !stated.starts_with("report "))
-    table.report("hazard_analysis",
-                 table.name_of("hazard_analysis") + " = \"" + stated +
-                     "\" states neither an exception nor a report",
-                 "give \"exception 1 of 11.4.8\" (or 2, 3), or \"report \" and its number, author "
-                 "and date");
-  return stated;
+/// One exception of ASCE 7-16, 11.4.8, or a list of them.
+std::vector<int> read_exceptions(const TomlTable& table) {
+  constexpr const char* key = "hazard_analysis";
+  const std::vector<std::string> stated =
+      table.is_array(key) ? table.texts(key).value_or(std::vector<std::string>{})
+      : table.has(key)    ? std::vector{table.text(key).value_or("")}
+                          : std::vector<std::string>{};
+  std::vector<int> exceptions;
+  for (const std::string& text : stated) {
+    const auto found =
+        std::ranges::find(exception_names, text, &std::pair<const char*, int>::first);
+    if (found == exception_names.end()) {
+      table.report(
+          key, table.name_of(key) + " = \"" + text + "\" is no exception of 11.4.8",
+          "give \"exception 1 of 11.4.8\" (or 2, 3); of an analysis give the spectrum, and "
+          "in a project hazard_report, hazard_author and hazard_date");
+      break;
+    }
+    exceptions.push_back(found->second);
+  }
+  return exceptions;
 }
 
 }  // namespace
@@ -153,7 +164,7 @@ DesignTarget read_target(const TomlTable& table, std::optional<DesignTarget>* ma
     table.report_missing("edition",
                          "asce7_10, asce7_16 or asce7_22: their site coefficients differ");
   target.edition = table.choice<AsceEdition>("edition", edition_names).value_or(target.edition);
-  target.hazard_analysis = read_hazard_analysis(table);
+  target.exceptions = read_exceptions(table);
   check_accelerations(table);
   const bool has_both = mapped != nullptr && table.has("spectrum") && table.has("ss_g");
   check_one_form(table, has_both);
@@ -168,7 +179,7 @@ DesignTarget read_target(const TomlTable& table, std::optional<DesignTarget>* ma
   }
   if (has_both) {
     read_mapped(table, mapped->emplace(DesignTarget{.edition = target.edition}));
-    mapped->value().hazard_analysis = target.hazard_analysis;
+    mapped->value().exceptions = target.exceptions;
     if (!table.has("site_class") && !table.has("site_classes")) table.report_missing("site_class");
   }
   return target;

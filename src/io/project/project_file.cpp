@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <chrono>
 #include <cmath>
 #include <set>
 
@@ -37,6 +38,14 @@ namespace fs = std::filesystem;
 
 std::string example(const char* table, const char* key) {
   return fmt::format("for example: {} = {}", key, project_example_of(table, key));
+}
+
+/// UTC: "2026-10-14".
+std::string today() {
+  const std::chrono::year_month_day day(
+      std::chrono::floor<std::chrono::days>(std::chrono::system_clock::now()));
+  return fmt::format("{:04}-{:02}-{:02}", static_cast<int>(day.year()),
+                     static_cast<unsigned>(day.month()), static_cast<unsigned>(day.day()));
 }
 
 /// Another key serves in its place.
@@ -118,6 +127,11 @@ void read_site(const TomlTable& table, Project& project) {
     table.report("ss_g", "ASCE 7-22 has no site coefficients: site.ss_g is of no use here",
                  "leave out ss_g, s1_g and site_class");
   project.site.states_tl = has("tl_s");
+  for (const char* key : {"hazard_report", "hazard_author", "hazard_date"})
+    if (has(key) && project.site.target.is_mapped())
+      table.report_idle(key, table.name_of(key) +
+                                 " is of no analysis: it needs site.spectrum, or "
+                                 "site.sds_g and sd1_g");
   if (table.problem_count() > before) return;
   if (has("spectrum"))
     project.spectrum_sha256 = sha256_of_file(project.file.parent_path() / project.spectrum_file);
@@ -453,6 +467,7 @@ Project read_one(const fs::path& file, std::optional<std::size_t> site) {
   Project project;
   project.file = file;
   project.source_text = without_comments(document.text());
+  project.read_on = today();
   const auto read = [&](std::initializer_list<const char*> tables) {
     read_keys(project_tables(), tables, root, project);
   };

@@ -17,6 +17,16 @@ namespace {
 
 namespace fs = std::filesystem;
 
+/// As it is written; empty where absent or wrong.
+std::string surface_of(const TomlTable& table) {
+  const std::string surface = table.text("surface").value_or("");
+  if (surface.empty() || surface == "dry" || surface == "wet" || surface == "both") return surface;
+  table.report("surface",
+               table.name_of("surface") + " = \"" + surface + "\" is not dry, wet or both",
+               "give one of these, and the materials as surface_description");
+  return "";
+}
+
 double design_of(const DirectionFriction& d) { return d.sliding.mean_minus_2_std; }
 
 /// In the direction of the project, or the one with the lowest design value, as the array slides
@@ -35,7 +45,7 @@ const DirectionFriction* tested_friction(const TomlTable& table, const PullTestS
 
 void take_tests(const TomlTable& table, const fs::path& folder, ProjectFriction& friction) {
   const std::string name = table.text("file").value_or("");
-  for (const char* key : {"mu", "source", "tests"})
+  for (const char* key : {"mu", "tests"})
     table.refuse_both(key, "file", "give the file of pull tests, or mu and source");
   try {
     const PullTestResults results = read_pull_test_results(folder / name, SlidingRule{});
@@ -60,6 +70,7 @@ void take_tests(const TomlTable& table, const fs::path& folder, ProjectFriction&
     }
     friction.source = fmt::format("{} pull tests, direction {}, {} (SHA-256 {})", statistics.tests,
                                   found->direction, name, sha256_of_file(folder / name));
+    if (!friction.report.empty()) friction.source += ", " + friction.report;
   } catch (const InputError& error) {
     table.report("file", error);
     table.ignore_unknown();  // its direction was not looked for
@@ -70,6 +81,8 @@ void take_tests(const TomlTable& table, const fs::path& folder, ProjectFriction&
 
 void read_project_friction(const TomlTable& table, const fs::path& folder,
                            ProjectFriction& friction) {
+  friction.surface = surface_of(table);
+  friction.report = table.text("source").value_or("");
   if (table.has("file")) return take_tests(table, folder, friction);
   if (!table.has("mu")) return;
   const TomlTable mu = table.table("mu");
@@ -77,13 +90,13 @@ void read_project_friction(const TomlTable& table, const fs::path& folder,
     friction.mean = mu.required_number("mean", friction_rule);
     friction.std = mu.required_number("std", not_negative);
   }
-  friction.source = table.text("source").value_or("-");
+  friction.source = friction.report;
   if (const auto tests = table.whole("tests", 2, 1000)) {
     friction.tests = *tests;
     friction.lower_bound = lower_bound_95(friction.mean, friction.std, *tests);
     friction.source += fmt::format(" ({} tests)", *tests);
   }
-  if (friction.source.empty())
+  if (table.has("source") && friction.report.empty())
     table.report("source", "friction.source is empty",
                  "for example: source = " + project_example_of("friction", "source"));
 }

@@ -79,7 +79,7 @@ std::string building_of(const Project& project, const std::vector<double>& perio
                         const std::vector<double>& dampings) {
   if (project.of_roof) return "";
   const std::vector<double>& alpha = project.building.alpha;
-  const char* one_storey = project.building.storeys ? "storeys = 1\n" : "";
+  const char* one_storey = "storeys = 1   # computed as one mass, of which the project warns\n";
   return fmt::format("[building]\nperiod_s = {}\n{}mass_ratio = {}\ndamping = {}\n\n",
                      list_of(periods_s),
                      alpha.empty() ? one_storey : fmt::format("alpha = {}\n", write(alpha)),

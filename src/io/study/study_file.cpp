@@ -55,9 +55,6 @@ void check_scaling_rule(const TomlTable& table, const IntensityConfig& intensity
   if (intensity.to_one_and_a_half && !is_of_16_2(intensity.scaling_rule))
     table.report("to_1_5_t", "intensity.to_1_5_t is of asce7_16 and asce7_22 (16.2.3.1)",
                  "leave it out: rules are not mixed");
-  if (table.has("scaled_to_s") && intensity.scaling_rule != ScalingRule::walters_2012)
-    table.report("scaled_to_s", "intensity.scaled_to_s is of scaling_rule = \"walters_2012\"",
-                 "leave it out: rules are not mixed");
 }
 
 void read_intensity(const TomlTable& table, const NumberRule& level_rule,

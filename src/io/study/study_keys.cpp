@@ -146,7 +146,7 @@ std::vector<StudyTable> tables_of_cases() {
          "that of the suite",
          "the design spectrum: shape for sds_g, demand for building.response_modification. "
          "site_class: a letter or \"default\"; spectrum: a CSV file (period_s, design_sa_g or "
-         "mce_sa_g); hazard_analysis: the exception of 11.4.8 that is taken, or the report",
+         "mce_sa_g); hazard_analysis: \"exception 2 of 11.4.8\", that is taken",
          {{"measure = \"sds_g\" or \"mce_fraction\", or building.response_modification",
            [](auto&, auto& s) {
              return s.intensity.measure.is_of_design_spectrum() ||
@@ -367,8 +367,9 @@ bool holds_as_usual(std::size_t i, const StudyConfig& study) {
 
 }  // namespace
 
-std::vector<std::string> keys_not_stated(const TomlTable& root, const StudyConfig& study) {
-  std::vector<std::string> all;
+std::vector<StudyConfig::NotStated> keys_not_stated(const TomlTable& root,
+                                                    const StudyConfig& study) {
+  std::vector<StudyConfig::NotStated> all;
   for (const StudyTable& of : study_tables()) {
     const bool is_analysis = std::ranges::any_of(analyses_in_files(), [&](const auto& analysis) {
       return analysis.table != nullptr && of.name == analysis.table;
@@ -387,7 +388,7 @@ std::vector<std::string> keys_not_stated(const TomlTable& root, const StudyConfi
         continue;
       if (std::ranges::all_of(row.needs,
                               [&](const StudyNeed& need) { return need.is_met(root, study); }))
-        all.push_back(name + ": " + row.usual);
+        all.push_back({name + ": " + row.usual, is_parameter ? &*p : nullptr});
     }
   }
   return all;

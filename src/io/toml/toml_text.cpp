@@ -53,8 +53,11 @@ std::vector<std::string> target_fields(const DesignTarget& target) {
     fields.push_back(fmt::format("site_classes = [{}]", fmt::join(classes, ", ")));
   }
   add("tl_s", target.tl_s);
-  if (!target.hazard_analysis.empty())
-    fields.push_back("hazard_analysis = " + quoted(target.hazard_analysis));
+  std::vector<std::string> exceptions;
+  for (const int exception : target.exceptions)
+    exceptions.push_back(quoted(fmt::format("exception {} of 11.4.8", exception)));
+  if (!exceptions.empty())
+    fields.push_back(fmt::format("hazard_analysis = [{}]", fmt::join(exceptions, ", ")));
   return fields;
 }
 

@@ -273,7 +273,7 @@ Table friction_table(const CalculationPackage& package) {
   rows.add_premise("Laboratory", mu.laboratory);
   rows.add_premise("Tests of", mu.tested_on);
   rows.add_stated("Test standard", mu.test_standard);
-  rows.add_premise("Surface", mu.surface);
+  rows.add_premise("Surface", mu.surface_text());
   rows.add("Tests", mu.tests ? Cell(fixed(static_cast<double>(*mu.tests), 0)) : "not stated",
            mu.source);
   rows.add("\u03bc, mean", fixed(mu.mean, 3), "of the tests");

@@ -122,10 +122,11 @@ std::vector<std::string> user_texts(const CalculationPackage& package) {
   texts.insert(texts.end(), {title.name, title.address, title.authority, title.code, title.engineer,
                              title.licence, title.revision, title.date, p.site_name, p.array.model,
                              p.array.ballast, p.array.membrane, p.roof.report, p.roof.author,
-                             p.spectrum_file, p.site.target.hazard_analysis});
+                             p.roof.date, p.spectrum_file, p.site.analysis.report,
+                             p.site.analysis.author, p.site.analysis.date});
   const ProjectFriction& mu = p.friction;
   texts.insert(texts.end(), {mu.source, mu.direction, mu.laboratory, mu.tested_on, mu.test_standard,
-                             mu.surface});
+                             mu.surface_description});
   for (const TraceFriction& trace : mu.traces) texts.push_back(trace.test);
   for (const DirectionFriction& tested : mu.tested) texts.push_back(tested.direction);
   for (const ProjectGap& gap : p.gaps) texts.push_back(gap.name);

@@ -101,8 +101,9 @@ class RunAtThreshold {
     }
     return {at_half(results_.by_stripes
                         ? fit_stripes(stripes_of(results_, cases, threshold_), Independent::records)
-                        : fit_brackets(capacities_of(table, cases, threshold_,
-                                                     results_.levels.back()),
+                        : fit_brackets(by_unit(capacities_of(table, cases, threshold_,
+                                                             results_.levels.back()),
+                                               table),
                                        Independent::records)),
             exceeding / histories};
   }

@@ -175,7 +175,10 @@ std::optional<std::string> problem_of(const Plan& plan, const Case& c, double st
   if (const std::string text =
           unresolved_mode(shortest_period_s(plan.config, c, 2.0 * step_s), step_s);
       !text.empty())
-    return text + ": leave that mode out, or take records of shorter steps";
+    return fmt::format(
+        "building.period_s of {:.3g} s: {}: leave that mode out, or take records of "
+        "shorter steps",
+        c.period_s, text);
   if (two_axes && !(c.friction > 0.0 && c.friction_across > 0.0)) {
     return fmt::format(
         "friction.mu is {:g} along the slope and {:g} across, and must be above 0 on two axes: of "

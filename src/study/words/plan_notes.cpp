@@ -11,6 +11,7 @@
 #include <span>
 
 #include "glissade/core/wrap.hpp"
+#include "glissade/motion/improbable.hpp"
 #include "glissade/study/plan/one_mass.hpp"
 #include "words/model_text.hpp"
 
@@ -159,9 +160,9 @@ std::vector<std::string> notes_on_design_levels(const Plan& plan) {
 /// What takes the place of a warning.
 std::vector<std::string> notes_on_hazard_analysis(const StudyConfig& config) {
   const auto& target = config.intensity.target;
-  if (!target || target->hazard_analysis.empty()) return {};
-  return {"ASCE 7-16, 11.4.8, ground motion hazard analysis: the study states \"" +
-          target->hazard_analysis + "\""};
+  if (!target || target->exceptions.empty()) return {};
+  return {"ASCE 7-16, 11.4.8, ground motion hazard analysis: the study states " +
+          exceptions_text(*target)};
 }
 
 }  // namespace

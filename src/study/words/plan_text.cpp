@@ -69,7 +69,11 @@ std::string to_string(const Plan& plan) {
       counted(plan.cases.orientations, "orientation"), plan.order.size(),
       plan.order.size() == 1 ? "differs" : "differ", describe(c.orientation.choice),
       cases_text(plan));
-  if (!c.not_stated.empty()) text += fmt::format("not stated  {}\n", fmt::join(c.not_stated, ", "));
+  std::string not_stated;
+  for (const auto& [key, parameter] : c.not_stated)
+    if (!(c.intensity.of_roof && parameter != nullptr && parameter->moves_roof()))
+      not_stated += (not_stated.empty() ? "" : ", ") + key;
+  if (!not_stated.empty()) text += fmt::format("not stated  {}\n", not_stated);
   if (c.draws()) {
     text += fmt::format(
         "samples     {}, seed {}\n",

@@ -92,6 +92,8 @@ TEST_F(ProjectChecks, storeys_that_are_not_stated_are_one_mass_with_a_warning) {
   for (const char* storeys : {"storeys = 1", "storeys = 2"})
     EXPECT_THAT(warnings_of(with("[building]", storeys)), Not(Contains(states("too little slip"))))
         << storeys;
+  // Once: the studies of the project do not repeat it.
+  EXPECT_TRUE(demand_of(whole_project).building.is_one_storey);
 }
 
 // S_DS 2/3 x 1.2 x 1.5 = 1.2 g and S_D1 2/3 x 2.5 x 0.6 = 1.0 g by 21.3; 80 % of both and of the

@@ -192,16 +192,6 @@ TEST_F(ProjectFile, of_site_class_f_requires_a_site_response_analysis) {
   refused("\"d\"", one_problem("p.toml:7", "did you mean \"D\"?"));
 }
 
-TEST_F(ProjectFile, a_hazard_analysis_is_an_exception_or_a_report) {
-  const auto stating = [&](const std::string& what) {
-    return problems_of(changed(site_class, site_class + "hazard_analysis = \"" + what + "\"\n"));
-  };
-  EXPECT_THAT(stating("none"),
-              one_problem("p.toml:8", "site.hazard_analysis", "none", "exception 1"));
-  EXPECT_THAT(stating("exception 2 of 11.4.8"), IsEmpty());
-  EXPECT_THAT(stating("report 14 of Smith, 2026"), IsEmpty());
-}
-
 TEST_F(ProjectFile, a_spectrum_by_points_is_of_its_edition_and_in_g) {
   const auto site = [&](const std::string& edition) {
     return changed("edition = \"asce7_16\"\n" + mapped + site_class,

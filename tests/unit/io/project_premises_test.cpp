@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <set>
 
+#include "complete_project.hpp"
 #include "glissade/design/premises.hpp"
 #include "project_files.hpp"
 
@@ -9,49 +10,9 @@
 namespace glissade {
 namespace {
 
+using test::complete_project;
 using test::states;
 using enum SeparationVerdict;
-
-const std::string complete = R"([project]
-name = "complete"
-units = "us"
-[site]
-edition = "asce7_16"
-ss_g = 1.5
-s1_g = 0.6
-site_class = "C"
-tl_s = 8
-risk_category = "III"
-fault_distance_km = "20 mi"
-[building]
-period_s = [0.18, 0.22]
-mass_ratio = 0.05
-storeys = 2
-diaphragm = "rigid"
-[roof]
-rise_in_12 = 0.25
-[friction]
-mu = { mean = 0.55, std = 0.04 }
-source = "report 7"
-tests = 7
-laboratory = "Own laboratory"
-tested_on = "2026-10-14"
-test_standard = "ASTM G115"
-surface = "wet TPO, feet of EPDM"
-[array]
-centre_of_mass_m = "11 in"
-support_spacing_m = "32 in"
-interconnection = 0.2
-[suite]
-file = "recorded.toml"
-[clearances]
-similar_array_m = "30 ft"
-obstruction_m = "30 ft"
-parapet_edge_m = "30 ft"
-open_edge_m = "30 ft"
-[standards]
-compare = "asce7_16"
-)";
 
 struct Case {
   std::string key, from, to;
@@ -59,53 +20,67 @@ struct Case {
   bool of_roof = false;
 };
 
-const std::string mapped = "ss_g = 1.5\ns1_g = 0.6\nsite_class = \"C\"\n",
-                  tested = "tested_on = \"2026-10-14\"\n",
-                  surface = "surface = \"wet TPO, feet of EPDM\"\n",
-                  of_report = "report = \"report 12\"\nauthor = \"Smith\"\ndate = \"2026-10-14\"\n";
+const std::string mapped = "ss_g = 1.3\ns1_g = 0.45\nsite_class = \"C\"\n",
+                  design = "sds_g = 1.0\nsd1_g = 0.6\n", points = "spectrum = \"site.csv\"\n",
+                  period = "period_s = 0.35\n",
+                  typed = "mu = { mean = 0.7, std = 0.02 }\nsource = \"report 7\"\ntests = 9\n",
+                  tested = "tested_on = \"2024-10-14\"\n", named = "complete\"\n",
+                  of_report = "report = \"report 12\"\nauthor = \"Smith\"\ndate = \"2024-10-14\"\n",
+                  of_analysis =
+                      "hazard_report = \"report 7\"\nhazard_author = \"Smith\"\nhazard_date = "
+                      "\"2024-10-14\"\n";
 
-std::string class_d(const std::string& stated) {
-  return "ss_g = 1.5\ns1_g = 0.6\nsite_class = \"D\"\nhazard_analysis = \"" + stated + "\"\n";
+std::string class_d(const std::string& exceptions) {
+  return "ss_g = 1.3\ns1_g = 0.45\nsite_class = \"D\"\nhazard_analysis = " + exceptions + "\n";
 }
 
 const std::vector<Case> cases = {
     {"project.units", "\"11 in\"", "0.28"},
-    {"standards.compare", "asce7_16\"\n" + mapped, "asce7_22\"\nsds_g = 1.0\nsd1_g = 0.6\n"},
+    {"standards.compare", "asce7_16\"\n" + mapped, "asce7_22\"\n" + design},
     {"standards.compare", "edition = \"asce7_16\"", "edition = \"asce7_10\""},
     {"standards.compare", "compare = \"asce7_16\"", "compare = \"seaoc_pv1_2012\""},
     {"standards.importance", "compare = \"asce7_16\"", "compare = \"asce7_16\"\nimportance = 1.0"},
     {"site.hazard_analysis", "site_class = \"C\"", "site_class = \"D\""},
-    {"site.hazard_analysis", mapped, class_d("exception 1 of 11.4.8")},
-    {"site.hazard_analysis", mapped, class_d("exception 3 of 11.4.8")},
-    {"site.hazard_analysis", mapped, class_d("exception as agreed")},
-    {"site.hazard_analysis", mapped, class_d("report 7 of Smith, 2026")},  // its spectrum is not
-    {"site.hazard_analysis", mapped, class_d("exception 2 of 11.4.8"), sufficient},
+    {"site.hazard_analysis", mapped, class_d("\"exception 1 of 11.4.8\"")},
+    {"site.hazard_analysis", mapped, class_d("\"exception 3 of 11.4.8\"")},
     {"site.hazard_analysis", mapped,
-     "sds_g = 1.0\nsd1_g = 0.6\nhazard_analysis = \"exception 2 of 11.4.8\"\n"},
-    {"site.hazard_analysis", mapped,
-     "sds_g = 1.0\nsd1_g = 0.6\nhazard_analysis = \"report 7 of Smith, 2026\"\n", sufficient},
-    {"site.ss_g", mapped, "spectrum = \"site.csv\"\n"},
-    {"site.ss_g", mapped, "spectrum = \"site.csv\"\n" + mapped, sufficient},
-    {"site.fault_distance_km", "fault_distance_km = \"20 mi\"\n", ""},
-    {"site.fault_distance_km", "20 mi", "8 km"},
+     class_d("[\"exception 2 of 11.4.8\", \"exception 3 of 11.4.8\"]")},
+    {"site.hazard_analysis", mapped, class_d("\"exception 2 of 11.4.8\""), sufficient},
+    {"site.hazard_report", mapped, design + "hazard_analysis = \"exception 2 of 11.4.8\"\n"},
+    {"site.hazard_report", mapped, design + of_analysis, sufficient},
+    // Issue 48: a spectrum of the user's own took the premise away.
+    {"site.hazard_report", mapped, points + mapped},
+    {"site.hazard_report", mapped, points + class_d("\"exception 2 of 11.4.8\""), sufficient},
+    {"site.hazard_report", mapped, points + mapped + of_analysis, sufficient},
+    {"site.hazard_author", mapped, points + mapped + "hazard_report = \"report 7\"\n"},
+    {"site.hazard_date", mapped,
+     points + mapped +
+         "hazard_report = \"7\"\nhazard_author = \"S\"\nhazard_date = \"2999-01-01\"\n"},
+    {"site.ss_g", mapped, points + of_analysis},
+    {"site.fault_distance_km", "fault_distance_km = 30\n", ""},
+    {"site.fault_distance_km", "fault_distance_km = 30", "fault_distance_km = 8"},
     {"building.diaphragm", "diaphragm = \"rigid\"\n", ""},
     {"building.diaphragm", "\"rigid\"", "\"flexible\""},
     {"building.diaphragm", "\"rigid\"", "\"semirigid\""},
-    {"building.period_s", "[0.18, 0.22]", "4.1"},  // a frequency
-    {"building.period_s", "[0.18, 0.22]", "0.04"},
-    {"building.period_s", "[0.18, 0.22]", "1.01"},
-    {"building.period_s", "[0.18, 0.22]", "0.99", sufficient},
-    {"building.period_s", "period_s = [0.18, 0.22]", "system = \"other\"\nheight_m = \"28 ft\"",
-     sufficient},
+    {"building.period_s", period, "period_s = 4.1\n"},  // a frequency
+    {"building.period_s", period, "period_s = 0.04\n"},
+    {"building.period_s", period, "period_s = 1.01\n"},
+    {"building.period_s", period, "period_s = 0.99\n", sufficient},
+    {"building.period_s", "storeys = 2\n", ""},
+    {"building.period_s", period, "system = \"other\"\nheight_m = \"28 ft\"\n", sufficient},
     {"friction.source", "report 7", "not stated: name the test report"},
+    {"friction.source", typed, "file = \"pulls.csv\"\n"},
+    {"friction.source", typed, "file = \"pulls.csv\"\nsource = \"report 7\"\n", sufficient},
     {"friction.laboratory", "Own laboratory", ""},
     {"friction.laboratory", "Own laboratory", "N/A"},
     {"friction.laboratory", "Own laboratory", "Nonesuch Laboratory", sufficient},
     {"friction.tested_on", tested, ""},
-    {"friction.tested_on", "2026-10-14", "last year"},
-    {"friction.tested_on", "2026-10-14", "2026-02-30"},
-    {"friction.surface", surface, ""},
-    {"friction.surface", "wet TPO", "TPO"},
+    {"friction.tested_on", "2024-10-14", "last year"},
+    {"friction.tested_on", "2024-10-14", "2026-02-30"},
+    {"friction.tested_on", "2024-10-14", "2999-01-01"},
+    {"friction.tested_on", named, named + "date = \"2024-10-13\"\n"},
+    {"friction.tested_on", named, named + "date = \"2024-10-14\"\n", sufficient},
+    {"friction.surface", "surface = \"wet\"\n", ""},
     {"array", "interconnection = 0.2\n", ""},
     {"array", "interconnection = 0.2\n", "interconnection = 0.05\n", not_applicable},
     {"suite.file", "recorded.toml", "suite.toml"},
@@ -114,7 +89,10 @@ const std::vector<Case> cases = {
      sufficient},
     {"suite.report", "report = \"report 12\"\n", "", open, true},
     {"suite.author", "\"Smith\"", "\"unknown\"", open, true},
-    {"suite.date", "date = \"2026-10-14\"", "date = \"October\"", open, true}};
+    {"suite.date", "date = \"2024-10-14\"\n[sampling]", "date = \"October\"\n[sampling]", open,
+     true},
+    {"suite.date", "date = \"2024-10-14\"\n[sampling]", "date = \"2999-01-01\"\n[sampling]", open,
+     true}};
 
 class PremisesOfProject : public ProjectFiles {
  protected:
@@ -124,13 +102,15 @@ class PremisesOfProject : public ProjectFiles {
       folder_.write(of == std::string("roof") ? "roof.toml" : "recorded.toml",
                     "[suite]\nname = \"a\"\nmotions = \"" + std::string(of) +
                         "\"\n[[record]]\nid = \"a\"\nfirst = \"a.csv\"\n");
+    folder_.write("pulls.csv", "mu\n0.70\n0.71\n0.69\n0.70\n0.71\n0.69\n0.70\n0.71\n0.69\n");
     folder_.write("site.csv", "period_s,design_sa_g\n0,0.6\n0.1,1.3\n0.6,1.3\n5,0.2\n");
   }
   static std::string project(bool of_roof) {
-    if (!of_roof) return complete;
-    const std::string text = changed("recorded.toml\"\n", "roof.toml\"\n" + of_report, complete),
-                      below = "period_s = [0.18, 0.22]\nmass_ratio = 0.05\n";
-    return changed("diaphragm = \"rigid\"\n", "", changed(below, "", text));
+    if (!of_roof) return complete_project;
+    const std::string text =
+        changed("recorded.toml\"\n", "roof.toml\"\n" + of_report, complete_project);
+    return changed("diaphragm = \"rigid\"\n", "",
+                   changed(period + "mass_ratio = 0.02\n", "", text));
   }
   /// As a package has it, of an analysis that requires little.
   static SeparationVerdict verdict_of(const Project& project) {
@@ -173,19 +153,49 @@ TEST_F(PremisesOfProject, that_one_is_not_stated_or_contradicted_makes_it_open) 
 }
 
 TEST_F(PremisesOfProject, a_share_above_1_and_a_project_without_a_name_are_refused) {
-  EXPECT_THAT(problems_of(changed("interconnection = 0.2", "interconnection = 13", complete)),
-              one_problem("p.toml:30", "array.interconnection = 13", "0.13?"));
-  EXPECT_THAT(problems_of(changed("mass_ratio = 0.05", "mass_ratio = 5", complete)),
-              one_problem("p.toml:14", "building.mass_ratio = 5", "0.05?"));
+  EXPECT_THAT(
+      problems_of(changed("interconnection = 0.2", "interconnection = 13", complete_project)),
+      one_problem("p.toml:30", "array.interconnection = 13", "0.13?"));
+  EXPECT_THAT(problems_of(changed("mass_ratio = 0.02", "mass_ratio = 5", complete_project)),
+              one_problem("p.toml:13", "building.mass_ratio = 5", "0.05?"));
   for (const char* name : {"\"\"", "\"  \""})
-    EXPECT_THAT(problems_of(changed("\"complete\"", name, complete)),
+    EXPECT_THAT(problems_of(changed("\"Roof of x_1, complete\"", name, complete_project)),
                 one_problem("p.toml:2", "project.name is empty", "name = "));
 }
 
-TEST_F(PremisesOfProject, of_roof_motions_are_of_no_suite_of_the_ground) {
+// Issue 48: what was decided by a word in a text.
+TEST_F(PremisesOfProject, that_are_of_a_list_are_refused_in_other_words) {
+  for (const char* surface : {"dry TPO", "not dry", "Wet", "unknown"})
+    EXPECT_THAT(
+        problems_of(changed("\"wet\"", "\"" + std::string(surface) + "\"", complete_project)),
+        one_problem("p.toml:25", "friction.surface", surface, "surface_description"));
+  for (const char* other : {"exception as agreed", "report 7 of Smith, 2026", "exceptions 1, 3"})
+    EXPECT_THAT(
+        problems_of(changed(mapped, class_d("\"" + std::string(other) + "\""), complete_project)),
+        one_problem("p.toml:8", "site.hazard_analysis", other, "hazard_report"));
   EXPECT_THAT(
-      problems_of(changed("recorded.toml\"\n", "recorded.toml\"\nauthor = \"Smith\"\n", complete)),
-      one_problem("p.toml:33", "suite.author", "leave it out"));
+      problems_of(changed(mapped, mapped + "hazard_report = \"report 7\"\n", complete_project)),
+      one_problem("p.toml:8", "site.hazard_report", "site.spectrum"));
+}
+
+TEST_F(PremisesOfProject, a_day_after_the_calculation_is_named_with_that_of_the_calculation) {
+  const auto date_of = [&](const std::string& text) {
+    for (const Premise& premise : premises_of(read(text)))
+      if (premise.key == std::string("friction.tested_on")) return premise.found.text;
+    return std::string();
+  };
+  EXPECT_THAT(date_of(changed(named, named + "date = \"2024-10-13\"\n", complete_project)),
+              states("2024-10-14, after 2024-10-13", "project.date"));
+  const std::string late = changed("2024-10-14", "2999-01-01", complete_project);
+  EXPECT_THAT(date_of(late), states("2999-01-01, after " + read(late).read_on, "UTC"));
+  // A calculation of a later day allows no later test.
+  EXPECT_EQ(date_of(changed(named, named + "date = \"2999-01-02\"\n", late)), date_of(late));
+}
+
+TEST_F(PremisesOfProject, of_roof_motions_are_of_no_suite_of_the_ground) {
+  EXPECT_THAT(problems_of(changed("recorded.toml\"\n", "recorded.toml\"\nauthor = \"Smith\"\n",
+                                  complete_project)),
+              one_problem("p.toml:33", "suite.author", "leave it out"));
 }
 
 }  // namespace

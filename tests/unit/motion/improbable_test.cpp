@@ -110,14 +110,13 @@ TEST(improbable_values, of_a_target_name_the_sites_of_asce7_16_11_4_8) {
   EXPECT_EQ(count(0.9, 0.1, SiteClass::e), 0u);
   EXPECT_EQ(count(1.0, 0.1, SiteClass::e), 1u);
   DesignTarget stated = target(AsceEdition::asce7_16, 1.5, 0.2, SiteClass::d);
-  stated.hazard_analysis = "exception 2 of 11.4.8";
+  stated.exceptions = {2};
   EXPECT_THAT(improbable_values(stated), IsEmpty());
-  // Of another class, none, or in words only (recalled: 1 and 3 are of class E).
-  for (const char* other : {"exception 1 of 11.4.8", "exceptions 1, 3", "exception 4",
-                            "exception of the authority", "report 7"}) {
-    stated.hazard_analysis = other;
-    EXPECT_THAT(improbable_values(stated), ElementsAre(states("11.4.8", other))) << other;
-  }
+  // Of another class (recalled: 1 and 3 are of class E).
+  stated.exceptions = {1};
+  EXPECT_THAT(improbable_values(stated), ElementsAre(states("exception 1 of 11.4.8")));
+  stated.exceptions = {1, 3};
+  EXPECT_THAT(improbable_values(stated), ElementsAre(states("exceptions 1, 3 of 11.4.8")));
 }
 
 }  // namespace

@@ -82,6 +82,7 @@ TEST(conditions, of_friction_are_of_its_tests_too) {
       return std::ranges::find(rows, "coefficient of friction", &CodeCondition::what)->is_met;
     };
     EXPECT_EQ(met(0.5, "ASTM G115-10"), true);
+    EXPECT_EQ(met(0.5, "not by ASTM G115"), false);
     EXPECT_EQ(met(0.5, "in-house drag test"), false);
     EXPECT_EQ(met(0.5, ""), std::nullopt);
     EXPECT_EQ(met(0.3, ""), false);

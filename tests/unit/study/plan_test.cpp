@@ -397,9 +397,18 @@ TEST(plan, lists_what_is_stated_where_it_is_as_usual_and_what_holds_where_it_is_
   config.quantities.at("friction", "mu") = fixed(0.5);
   EXPECT_THAT(to_string(small_plan(config)), testing::Not(testing::HasSubstr("friction.mu 0.5")));
   config.quantities.at("friction", "mu").is_stated = true;
-  config.not_stated = {"building.damping: 0.05"};
-  EXPECT_THAT(to_string(small_plan(config)),
-              states("            friction.mu 0.5\n", "not stated  building.damping: 0.05\n"));
+  config.not_stated = {
+      {"building.period_s: 0", &parameters()[parameter_index("building", "period_s")]},
+      {"model.axes: 2"}};
+  EXPECT_THAT(
+      to_string(small_plan(config)),
+      states("            friction.mu 0.5\n", "not stated  building.period_s: 0, model.axes: 2\n"));
+  Suite roof = small_suite();
+  roof.of_roof = true;
+  config.intensity.measure = IntensityMeasure::factor;
+  for (const char* key : {"period_s", "mass_ratio"})
+    config.quantities.at("building", key) = fixed(0.0);
+  EXPECT_THAT(to_string(make_plan(config, {roof})), states("not stated  model.axes: 2\n"));
 }
 
 TEST(plan, writes_a_count_of_one_in_the_singular) {
@@ -562,9 +571,8 @@ TEST(plan, warns_of_a_period_along_the_second_axis_that_no_building_has) {
     EXPECT_THAT(small_plan(config).warnings,
                 testing::Contains(test::states("along the second axis", "60 s is above 10 s")));
     config.quantities.at("building", "period_ratio") = fixed(1.0);
-    EXPECT_THAT(
-        small_plan(config).warnings,
-        testing::Not(testing::Contains(testing::HasSubstr("along the second axis: building"))));
+    EXPECT_THAT(small_plan(config).warnings, testing::Not(testing::Contains(testing::HasSubstr(
+                                                 "along the second axis: building"))));
   }
 }
 
