@@ -262,7 +262,7 @@ void add_model_uncertainty(const Project& project, const Results& demand,
   add("vertical motion", "without; with", nan, nan, with_vertical(VerticalChoice::none),
       with_vertical(VerticalChoice::if_available));
   if (!design.of_largest) {
-    const auto [low, high] = positive_mean_interval(design.by_record_m);
+    const auto [low, high] = positive_mean_interval(demand.histories.by_unit(design.by_record_m));
     add("records", fmt::format("95 % interval of {}", design.by_record_m.size()), nan, nan,
         design.factor * low, design.factor * high);
     found.effects.back().is_of_records = true;

@@ -57,7 +57,7 @@ std::string deciding_text(const ModelUncertainty& uncertainty) {
                   text(change(premise)));
   if (std::isnan(change(premise)) || std::isnan(change(records)))
     return "not known (" + largest + ")";
-  return fmt::format("{} decide ({}; 95 % interval over records: {})",
+  return fmt::format("{} decide ({}; 95 % interval: {})",
                      change(records) < change(premise) ? "premises" : "records", largest,
                      text(change(records)));
 }
