@@ -443,7 +443,7 @@ TEST_F(Package, a_page_holds_text_as_text_and_few_tests_and_a_peer_review_are_wa
   std::string text = replaced(moved_project(), "Office building, roof array (example)",
                               "<script>alert(1)</script>");
   text = replaced(text, "file = \"" + friction + "\"\ndirection = \"along\"",
-                  "mu = { mean = 0.55, std = 0.04 }\nsource = \"few tests\"\ntests = 3");
+                  "mu = { mean = 0.55, std = 0.04 }\ntests = 3");
   text = replaced(text, "compare = \"asce7_16\"", "compare = \"asce7_16\"\npeer_reviewed = true");
   const fs::path other = folder_->path("other");
   const WithoutWeasyprint path;

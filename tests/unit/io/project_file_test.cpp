@@ -58,7 +58,7 @@ TEST_F(ProjectFile, is_not_taken_for_a_study_nor_the_reverse) {
 
 TEST_F(ProjectFile, unknown_keys_and_contradictions_are_refused) {
   EXPECT_THAT(problems_of(with("[suite]", "fiel = 1")), SizeIs(1));
-  EXPECT_THAT(problems_of(changed("mu =", "file = \"x.csv\"\nmu =")), SizeIs(3));
+  EXPECT_THAT(problems_of(changed("mu =", "file = \"x.csv\"\nmu =")), SizeIs(2));
 }
 
 // The suite of a project is named at its own line, not at that of a study that is made of it.

@@ -20,9 +20,9 @@ struct Case {
   bool of_roof = false;
 };
 
-const std::string mapped = "ss_g = 1.3\ns1_g = 0.45\nsite_class = \"C\"\n",
+const std::string mapped_values = "ss_g = 1.3\ns1_g = 0.45\nsite_class = \"C\"\n",
                   design = "sds_g = 1.0\nsd1_g = 0.6\n", points = "spectrum = \"site.csv\"\n",
-                  period = "period_s = 0.35\n",
+                  of_period = "period_s = 0.35\n",
                   typed = "mu = { mean = 0.7, std = 0.02 }\nsource = \"report 7\"\ntests = 9\n",
                   tested = "tested_on = \"2024-10-14\"\n", named = "complete\"\n",
                   of_report = "report = \"report 12\"\nauthor = \"Smith\"\ndate = \"2024-10-14\"\n",
@@ -36,38 +36,40 @@ std::string class_d(const std::string& exceptions) {
 
 const std::vector<Case> cases = {
     {"project.units", "\"11 in\"", "0.28"},
-    {"standards.compare", "asce7_16\"\n" + mapped, "asce7_22\"\n" + design},
+    {"standards.compare", "asce7_16\"\n" + mapped_values, "asce7_22\"\n" + design},
     {"standards.compare", "edition = \"asce7_16\"", "edition = \"asce7_10\""},
     {"standards.compare", "compare = \"asce7_16\"", "compare = \"seaoc_pv1_2012\""},
     {"standards.importance", "compare = \"asce7_16\"", "compare = \"asce7_16\"\nimportance = 1.0"},
     {"site.hazard_analysis", "site_class = \"C\"", "site_class = \"D\""},
-    {"site.hazard_analysis", mapped, class_d("\"exception 1 of 11.4.8\"")},
-    {"site.hazard_analysis", mapped, class_d("\"exception 3 of 11.4.8\"")},
-    {"site.hazard_analysis", mapped,
+    {"site.hazard_analysis", mapped_values, class_d("\"exception 1 of 11.4.8\"")},
+    {"site.hazard_analysis", mapped_values, class_d("\"exception 3 of 11.4.8\"")},
+    {"site.hazard_analysis", mapped_values,
      class_d("[\"exception 2 of 11.4.8\", \"exception 3 of 11.4.8\"]")},
-    {"site.hazard_analysis", mapped, class_d("\"exception 2 of 11.4.8\""), sufficient},
-    {"site.hazard_report", mapped, design + "hazard_analysis = \"exception 2 of 11.4.8\"\n"},
-    {"site.hazard_report", mapped, design + of_analysis, sufficient},
+    {"site.hazard_analysis", mapped_values, class_d("\"exception 2 of 11.4.8\""), sufficient},
+    {"site.hazard_report", mapped_values, design + "hazard_analysis = \"exception 2 of 11.4.8\"\n"},
+    {"site.hazard_report", mapped_values, design + of_analysis, sufficient},
     // Issue 48: a spectrum of the user's own took the premise away.
-    {"site.hazard_report", mapped, points + mapped},
-    {"site.hazard_report", mapped, points + class_d("\"exception 2 of 11.4.8\""), sufficient},
-    {"site.hazard_report", mapped, points + mapped + of_analysis, sufficient},
-    {"site.hazard_author", mapped, points + mapped + "hazard_report = \"report 7\"\n"},
-    {"site.hazard_date", mapped,
-     points + mapped +
+    {"site.hazard_report", mapped_values, points + mapped_values},
+    {"site.hazard_report", mapped_values, points + class_d("\"exception 2 of 11.4.8\""),
+     sufficient},
+    {"site.hazard_report", mapped_values, points + mapped_values + of_analysis, sufficient},
+    {"site.hazard_author", mapped_values,
+     points + mapped_values + "hazard_report = \"report 7\"\n"},
+    {"site.hazard_date", mapped_values,
+     points + mapped_values +
          "hazard_report = \"7\"\nhazard_author = \"S\"\nhazard_date = \"2999-01-01\"\n"},
-    {"site.ss_g", mapped, points + of_analysis},
+    {"site.ss_g", mapped_values, points + of_analysis},
     {"site.fault_distance_km", "fault_distance_km = 30\n", ""},
     {"site.fault_distance_km", "fault_distance_km = 30", "fault_distance_km = 8"},
     {"building.diaphragm", "diaphragm = \"rigid\"\n", ""},
     {"building.diaphragm", "\"rigid\"", "\"flexible\""},
     {"building.diaphragm", "\"rigid\"", "\"semirigid\""},
-    {"building.period_s", period, "period_s = 4.1\n"},  // a frequency
-    {"building.period_s", period, "period_s = 0.04\n"},
-    {"building.period_s", period, "period_s = 1.01\n"},
-    {"building.period_s", period, "period_s = 0.99\n", sufficient},
+    {"building.period_s", of_period, "period_s = 4.1\n"},  // a frequency
+    {"building.period_s", of_period, "period_s = 0.04\n"},
+    {"building.period_s", of_period, "period_s = 1.01\n"},
+    {"building.period_s", of_period, "period_s = 0.99\n", sufficient},
     {"building.period_s", "storeys = 2\n", ""},
-    {"building.period_s", period, "system = \"other\"\nheight_m = \"28 ft\"\n", sufficient},
+    {"building.period_s", of_period, "system = \"other\"\nheight_m = \"28 ft\"\n", sufficient},
     {"friction.source", "report 7", "not stated: name the test report"},
     {"friction.source", typed, "file = \"pulls.csv\"\n"},
     {"friction.source", typed, "file = \"pulls.csv\"\nsource = \"report 7\"\n", sufficient},
@@ -110,7 +112,7 @@ class PremisesOfProject : public ProjectFiles {
     const std::string text =
         changed("recorded.toml\"\n", "roof.toml\"\n" + of_report, complete_project);
     return changed("diaphragm = \"rigid\"\n", "",
-                   changed(period + "mass_ratio = 0.02\n", "", text));
+                   changed(of_period + "mass_ratio = 0.02\n", "", text));
   }
   /// As a package has it, of an analysis that requires little.
   static SeparationVerdict verdict_of(const Project& project) {
@@ -170,12 +172,12 @@ TEST_F(PremisesOfProject, that_are_of_a_list_are_refused_in_other_words) {
         problems_of(changed("\"wet\"", "\"" + std::string(surface) + "\"", complete_project)),
         one_problem("p.toml:25", "friction.surface", surface, "surface_description"));
   for (const char* other : {"exception as agreed", "report 7 of Smith, 2026", "exceptions 1, 3"})
-    EXPECT_THAT(
-        problems_of(changed(mapped, class_d("\"" + std::string(other) + "\""), complete_project)),
-        one_problem("p.toml:8", "site.hazard_analysis", other, "hazard_report"));
-  EXPECT_THAT(
-      problems_of(changed(mapped, mapped + "hazard_report = \"report 7\"\n", complete_project)),
-      one_problem("p.toml:8", "site.hazard_report", "site.spectrum"));
+    EXPECT_THAT(problems_of(changed(mapped_values, class_d("\"" + std::string(other) + "\""),
+                                    complete_project)),
+                one_problem("p.toml:8", "site.hazard_analysis", other, "hazard_report"));
+  EXPECT_THAT(problems_of(changed(mapped_values, mapped_values + "hazard_report = \"report 7\"\n",
+                                  complete_project)),
+              one_problem("p.toml:8", "site.hazard_report", "site.spectrum"));
 }
 
 TEST_F(PremisesOfProject, a_day_after_the_calculation_is_named_with_that_of_the_calculation) {
