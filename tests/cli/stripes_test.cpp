@@ -17,7 +17,7 @@ class Stripes : public testing::Test {
 TEST_F(Stripes, are_run_reported_and_reported_again_from_their_results) {
   const std::string out = folder_.path("out").string(), again = folder_.path("again").string();
   const Finished child = succeeding({"run", study(stripes_study()), "--out", out});
-  EXPECT_THAT(child.out, states("14 records of 7 events x 8 samples x 1 of 2", "scatter less",
+  EXPECT_THAT(child.out, states("14 records x 8 samples x 1 of 2 levels", "scatter less",
                                 "suite.stripes", "0 in search of"));
   const std::string fits = read_file(out + "/tables/fragility.csv");
   EXPECT_THAT(fits, states("sampled,0.05,stripes"));

@@ -92,9 +92,8 @@ std::optional<LineRegion> region_of(const Records& data, const PointFit& point,
                             : data.one_row_each() && data.equal_weights()
                                 ? "profile likelihood"
                                 : "profile likelihood, scaled by the variance between records";
-  if (!data.one_row_each() && data.count() < 10)
-    summary.interval_method +=
-        "; of log_std it covers 90 % or more where records are fewer than 10";
+  if (!data.one_row_each() && data.count() < 30)
+    summary.interval_method += "; with fewer than 30 records that of log_std covers 90 % or more";
   return LineRegion(
       [rows = summed(data.pooled(), line), penalised](const ProbitLine& l) {
         return (penalised ? jeffreys_likelihood(rows, l) : likelihood(rows, l)).value;
