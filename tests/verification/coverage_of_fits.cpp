@@ -316,9 +316,10 @@ void add_events(CoverageCases& cases, std::size_t events) {
                of.high, reference});
   };
   for (const Covered& of : covered)
-    add(of.high < 1 ? "events of two or three records, fits" : "the same, displacements", of, 0.93,
-        of.high < 1 ? "nominal 95 %" : "nominal 95 %, wide");
-  add("the same, mean, records taken as independent",
+    add(of.high < 1 ? "events of two or three records, fits"
+                    : "events of two or three records, displacements",
+        of, 0.93, of.high < 1 ? "nominal 95 %" : "nominal 95 %, wide");
+  add("events, mean, records taken as independent (not used by studies)",
       {"mean, records taken as independent", mean, 0.93, apart}, 0.7, "a trap");
 }
 

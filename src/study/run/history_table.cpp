@@ -1,12 +1,28 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "glissade/study/run/history_table.hpp"
 
+#include <algorithm>
 #include <map>
+#include <sstream>
 
 #include "glissade/study/cases/case.hpp"
 #include "glissade/study/results.hpp"
 
 namespace glissade {
+namespace {
+
+/// The words of an event's name in lower case, with one blank after each.
+std::string words_of(const std::string& event) {
+  std::istringstream words(event);
+  std::string text, word;
+  while (words >> word) text += word + " ";
+  std::ranges::transform(text, text.begin(), [](char c) {
+    return 'A' <= c && c <= 'Z' ? static_cast<char>(c + 32) : c;
+  });
+  return text;
+}
+
+}  // namespace
 
 KeptFields::KeptFields(const StudyConfig& config)
     : two_axes(config.two_axes()),
@@ -26,7 +42,8 @@ std::vector<std::size_t> event_units(const std::vector<std::string>& events) {
   std::vector<std::size_t> units;
   std::size_t count = 0;
   for (const std::string& event : events) {
-    const auto known = event.empty() ? numbers.end() : numbers.try_emplace(event, count).first;
+    const std::string name = words_of(event);
+    const auto known = name.empty() ? numbers.end() : numbers.try_emplace(name, count).first;
     units.push_back(known == numbers.end() ? count : known->second);
     if (units.back() == count) ++count;
   }

@@ -63,7 +63,9 @@ std::vector<double> widths_of(const Results& results) {
 
 TEST(events, numbers_are_those_of_their_first_records) {
   EXPECT_EQ(event_units({"b", "a", "", "b", ""}), (std::vector<std::size_t>{0, 1, 2, 0, 3}));
-  EXPECT_TRUE(event_units(std::vector<std::string>{"", ""}).empty());
+  EXPECT_TRUE(event_units(std::vector<std::string>{"", " "}).empty());
+  EXPECT_EQ(event_units({"Northridge-01 1994", " northridge-01  1994 ", "Northridge 1994"}),
+            (std::vector<std::size_t>{0, 0, 1}));
 }
 
 // Of units with equal records the number of records has no effect: every interval is that of one

@@ -109,8 +109,8 @@ void for_each_history_field(Visit visit) {
       Depth::levels_and_thresholds, &HistoryFields::crossing_speed_mps, &KeptFields::crossings});
 }
 
-/// By record: the number of its event, from 0 by their first records. A record that states none is
-/// an event of its own. Empty where no record states one.
+/// By record: the number of its event, from 0 by their first records, by name without case and
+/// blanks. A record that states none is an event of its own. Empty where no record states one.
 std::vector<std::size_t> event_units(const std::vector<std::string>& events);
 
 /// How many independent units records have: each is one where `unit_of` is empty.
