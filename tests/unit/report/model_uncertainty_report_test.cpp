@@ -23,8 +23,8 @@ ModelUncertainty of(AtEnds records) {
 
 TEST(model_uncertainty_report, says_whether_records_or_premises_decide) {
   EXPECT_THAT(deciding_text(of({1.5, 2.0, 2.5})),
-              states("records decide", "building period: 25 %", "records: 50 %"));
-  EXPECT_THAT(deciding_text(of({1.9, 2.0, 2.1})), states("premises decide", "records: 10 %"));
+              states("records decide", "building period: 25 %", "95 % interval: 50 %"));
+  EXPECT_THAT(deciding_text(of({1.9, 2.0, 2.1})), states("premises decide", "95 % interval: 10 %"));
   EXPECT_THAT(deciding_text(of({0.0, 2.0, infinity})), states("records decide", "without limit"));
   EXPECT_THAT(deciding_text(of({})), states("not known", "building period: 25 %"));
   EXPECT_EQ(deciding_text({}), "no premise is varied");
