@@ -115,8 +115,7 @@ void write_file(const fs::path& path, const WriteFile& write) {
   if (fs::is_directory(status)) throw_io_error(path, "cannot be written", EISDIR);
   if (fs::exists(status) && !fs::is_regular_file(status))
     throw_io_error(path, "is no regular file", EINVAL);
-  const fs::path target =
-      fs::is_symlink(link_status_of(path)) ? fs::weakly_canonical(path) : path;
+  const fs::path target = fs::is_symlink(link_status_of(path)) ? fs::weakly_canonical(path) : path;
   if (target.has_parent_path()) {
     std::error_code error;
     fs::create_directories(target.parent_path(), error);

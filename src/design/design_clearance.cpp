@@ -30,8 +30,7 @@ Inputs inputs_of(const Results& results, const SuiteMean& mean) {
   const ConditionGrid grid(results);
   const Case& c = grid.case_at(mean.at);
   const double level = grid.value(ConditionAxis::level, mean.at);
-  return {c.friction, c.slope_deg, c.mass_ratio, level,
-          c.period_s, c.alpha,     c.damping,    c.vertical};
+  return {c.friction, c.slope_deg, c.mass_ratio, level, c.period_s, c.alpha, c.damping, c.vertical};
 }
 
 bool is_among(const std::vector<double>& values, double value) {
@@ -222,18 +221,18 @@ void add_model_uncertainty(const Project& project, const Results& demand,
   const Inputs governing =
       inputs_of(demand, governing_mean(project, demand, project.friction.design()));
   ModelUncertainty& found = design.uncertainty;
-  const auto add = [&](const char* premise, const std::string& ends, double low, double high,
-                       double low_m, double high_m) {
-    found.effects.push_back({premise, ends, low, high, {low_m, design.analysis_m, high_m}});
+  const auto add = [&](const char* premise, const char* unit, const std::string& ends, double low,
+                       double high, double low_m, double high_m) {
+    found.effects.push_back({premise, unit, ends, low, high, {low_m, design.analysis_m, high_m}});
   };
-  const auto vary = [&](const char* premise, const std::string& added, std::size_t stated,
-                        double Inputs::*input, const std::vector<double>& values,
-                        const Results& results) {
+  const auto vary = [&](const char* premise, const char* unit, const std::string& added,
+                        std::size_t stated, double Inputs::*input,
+                        const std::vector<double>& values, const Results& results) {
     if (values.size() < 2) return;
     const auto at = [&](double value) {
       return required_with(input, value, project, results, governing);
     };
-    add(premise, stated > 1 ? "range of the project" : added, values.front(), values.back(),
+    add(premise, unit, stated > 1 ? "range of the project" : added, values.front(), values.back(),
         at(values.front()), at(values.back()));
   };
   const ProjectBuilding& building = project.building;
@@ -244,31 +243,33 @@ void add_model_uncertainty(const Project& project, const Results& demand,
                  ? infinity
                  : required_with(&Inputs::friction, design_mu, project, uncertainty, governing);
     };
-    add("friction, mean", ends->what, ends->low, ends->high, at(ends->low), at(ends->high));
+    add("friction, mean", "", ends->what, ends->low, ends->high, at(ends->low), at(ends->high));
   }
-  vary("building damping", "half and twice", 1, &Inputs::damping, dampings_of(project),
+  vary("building damping", "", "half and twice", 1, &Inputs::damping, dampings_of(project),
        uncertainty);
-  vary("building period, s", "0.9 and 1.1 times", building.period_s.size(), &Inputs::period_s,
+  vary("building period", "s", "0.9 and 1.1 times", building.period_s.size(), &Inputs::period_s,
        periods_of(project), demand);
-  vary("\u03b1_0 of the building", "", building.alpha.size(), &Inputs::alpha, building.alpha,
+  vary("\u03b1_0 of the building", "", "", building.alpha.size(), &Inputs::alpha, building.alpha,
        demand);
-  vary("mass ratio", "as stated, and more", building.mass_ratio.size(), &Inputs::mass_ratio,
+  vary("mass ratio", "", "as stated, and more", building.mass_ratio.size(), &Inputs::mass_ratio,
        mass_ratios_of(project), demand);
-  vary("roof slope, degrees", "as stated, and 1 degree more", project.slope_deg.size(),
+  vary("roof slope", "degrees", "as stated, and 1 degree more", project.slope_deg.size(),
        &Inputs::slope_deg, slopes_of(project), demand);
   const auto with_vertical = [&](VerticalChoice use) {
     return required_with(&Inputs::vertical, use, project, demand, governing);
   };
-  add("vertical motion", "without; with", nan, nan, with_vertical(VerticalChoice::none),
+  add("vertical motion", "", "without; with", nan, nan, with_vertical(VerticalChoice::none),
       with_vertical(VerticalChoice::if_available));
   if (!design.of_largest) {
     const auto [low, high] = positive_mean_interval(demand.histories.by_unit(design.by_record_m));
-    add("records", fmt::format("95 % interval of {}", design.by_record_m.size()), nan, nan,
+    add("records", "", fmt::format("95 % interval of {}", design.by_record_m.size()), nan, nan,
         design.factor * low, design.factor * high);
     found.effects.back().is_of_records = true;
   }
   sort_by_change(found.effects);
   found.not_varied = project.of_roof ? "the roof motions" : "the roof diaphragm";
+  if (!project.of_roof && mass_ratios_of(project).size() < 2)
+    found.not_varied += ", the mass ratio";
 }
 
 namespace {

@@ -40,9 +40,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
           "friction stops the array");
     check(project.round_up_m > 0.0 && project.available_m.size() == 4, "the rest is there");
     const auto folder = file.parent_path();
-    for (const std::string& study : {glissade::demand_study(project, folder),
-                                     glissade::uncertainty_study(project, folder),
-                                     glissade::probability_study(project, folder, {0.1})})
+    for (const std::string& study :
+         {glissade::demand_study(project, folder), glissade::uncertainty_study(project, folder),
+          glissade::probability_study(project, folder, {0.1})})
       glissade::read_study(glissade::fuzz::folder().write("made.toml", study));
   });
   return 0;

@@ -139,7 +139,7 @@ struct DesignClearance {
   std::vector<ProjectSeparation> separations;
   std::vector<DesignCheck> checks;
   // Until the other studies have run, these are empty.
-  ModelUncertainty uncertainty;  ///< of analysis_m
+  ModelUncertainty uncertainty;                  ///< of analysis_m
   std::vector<ExceedanceAt> exceedance;          ///< by level, those of a level by period
   std::vector<DisplacementExceedance> compared;  ///< first the governing displacement
   QuantileDisplacement accepted;  ///< that accepted_exceedance of the histories exceed

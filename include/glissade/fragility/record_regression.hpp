@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <algorithm>
 #include <vector>
 
+#include "glissade/core/independent_units.hpp"
 #include "glissade/fragility/bootstrap.hpp"
 
 namespace glissade {
@@ -16,10 +16,8 @@ struct RecordRegression {
   std::vector<std::size_t> unit_of = {};        ///< by record, from 0; empty: each is independent
 
   std::size_t records() const { return value.size(); }
-  std::size_t unit(std::size_t record) const { return unit_of.empty() ? record : unit_of[record]; }
-  std::size_t units() const {
-    return unit_of.empty() ? records() : 1 + *std::ranges::max_element(unit_of);
-  }
+  std::size_t unit(std::size_t record) const { return unit_at(unit_of, record); }
+  std::size_t units() const { return unit_count(unit_of, records()); }
   std::size_t unknowns() const { return 1 + covariates.size(); }
 };
 

@@ -42,10 +42,11 @@ double effective_number(const UnitValues& values);  ///< of the sums of units
 /// of ln mean with the standard error s / sqrt(n), and with as many degrees of freedom as the
 /// values less their least are effectively many, less 1, 2 at least. The upper end is that of the
 /// values less their least. Either end is moved out to that of lognormal values (Cox's interval,
-/// Land 1972, Technometrics 14(1):145-158), but to at most three times the distance from ln mean, of
-/// five records or more of which one alone has the least value, above 1e-6 of the mean (theory.md,
-/// 6.5). Covers 91 % or more of lognormal values up to a log standard deviation of 2.5 (7 records or
-/// more; verification manual, 5.2). NaN for fewer than two records, and where a value is infinite.
+/// Land 1972, Technometrics 14(1):145-158), but to at most three times the distance from ln mean,
+/// of five records or more of which one alone has the least value, above 1e-6 of the mean
+/// (theory.md, 6.5). Covers 91 % or more of lognormal values up to a log standard deviation of 2.5
+/// (7 records or more; verification manual, 5.2). NaN for fewer than two records, and where a value
+/// is infinite.
 Interval positive_mean_interval(const std::vector<double>& values, double level = 0.95);
 /// Of the mean over records, whose units are independent: with s from the departures of the units,
 /// each times its records over their mean number.
@@ -59,8 +60,8 @@ void order_intervals(const std::vector<double>& shares, std::vector<Interval>& i
 std::size_t records_that_bound(double probability);
 
 /// The interval of a probability, at least as wide as a binomial's where none, or all, of as many
-/// trials as there are (effective) units exceed (Clopper & Pearson 1934). Without an interval that of
-/// the probability itself is widened.
+/// trials as there are (effective) units exceed (Clopper & Pearson 1934). Without an interval that
+/// of the probability itself is widened.
 Interval widened(const Interval& interval, double probability, double units);
 
 }  // namespace glissade

@@ -28,8 +28,8 @@ bool is_project(const std::filesystem::path& file);
 std::string project_example();
 
 /// The study of the displacement demand: every combination of period, slope, mass ratio, friction
-/// (mean - 2 std, lower bound of the tests), with and without vertical motion, at S_DS and 1.5 S_DS,
-/// in all orientations. A study file, whose paths are relative to `folder`.
+/// (mean - 2 std, lower bound of the tests), with and without vertical motion, at S_DS and 1.5
+/// S_DS, in all orientations. A study file, whose paths are relative to `folder`.
 std::string demand_study(const Project& project, const std::filesystem::path& folder);
 
 /// The same of the project's own conditions at S_DS, with friction and damping at both of their

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <algorithm>
 #include <cstddef>
 #include <utility>
 #include <vector>
+
+#include "glissade/core/independent_units.hpp"
 
 namespace glissade {
 
@@ -38,12 +39,8 @@ class CrossedResponse {
   std::size_t records() const { return records_; }
   /// Records that depend on each other, by their unit, from 0; each is its own unless stated.
   void set_units(std::vector<std::size_t> unit_of) { unit_of_ = std::move(unit_of); }
-  std::size_t unit(std::size_t record) const {
-    return unit_of_.empty() ? record : unit_of_[record];
-  }
-  std::size_t units() const {
-    return unit_of_.empty() ? records_ : 1 + *std::ranges::max_element(unit_of_);
-  }
+  std::size_t unit(std::size_t record) const { return unit_at(unit_of_, record); }
+  std::size_t units() const { return unit_count(unit_of_, records_); }
   std::size_t factors() const { return factors_; }
   std::size_t samples() const { return samples_; }
   bool is_given_data() const { return !groups_.empty(); }

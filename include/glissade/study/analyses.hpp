@@ -21,9 +21,10 @@ namespace glissade {
 
 /// All analyses, in the order in which they are read, made, stored and reported: one that reads
 /// another's results comes after it. Where else an analysis is named, and why: src/README.md.
-using Analyses = AnalysisList<ClearanceAnalysis, BaseShearAnalysis, FragilityAnalysis,
-                              StandardsAnalysis, ImpactAnalysis, ShapeAnalysis, HazardAnalysis,
-                              ModelUncertaintyAnalysis, ChartAnalysis, TippingAnalysis, VerdictAnalysis, SensitivityAnalysis,
-                              SamplingErrorAnalysis, RareAnalysis, IntensityMeasuresAnalysis>;
+using Analyses =
+    AnalysisList<ClearanceAnalysis, BaseShearAnalysis, FragilityAnalysis, StandardsAnalysis,
+                 ImpactAnalysis, ShapeAnalysis, HazardAnalysis, ModelUncertaintyAnalysis,
+                 ChartAnalysis, TippingAnalysis, VerdictAnalysis, SensitivityAnalysis,
+                 SamplingErrorAnalysis, RareAnalysis, IntensityMeasuresAnalysis>;
 
 }  // namespace glissade

@@ -113,7 +113,7 @@ std::string numbers_json(const CalculationPackage& package) {
   json["mce_analysis_m"] = design.mce_analysis_m;
   if (design.bound_analysis_m) json["bound_analysis_m"] = *design.bound_analysis_m;
   for (const PremiseEffect& effect : design.uncertainty.effects)
-    json["model_uncertainty"].push_back({{"premise", effect.premise},
+    json["model_uncertainty"].push_back({{"premise", effect.name()},
                                          {"ends", effect.ends},
                                          {"low", effect.low},
                                          {"high", effect.high},
@@ -212,8 +212,7 @@ void write_finished_calculation(const CalculationIdentity& identity,
                                 const fs::path& folder) {
   write_text_file(folder / "package.json", numbers_json(package));
   CalculationJson results;
-  results["studies"] = {"demand/run.json", "uncertainty/run.json",
-                                  "probability/run.json"};
+  results["studies"] = {"demand/run.json", "uncertainty/run.json", "probability/run.json"};
   add_results(results, package.project, package.design);
   results["warnings"] = warnings_of(package.design);
   write_end(identity,

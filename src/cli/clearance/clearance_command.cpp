@@ -79,8 +79,8 @@ class Calculation {
   void write() {
     const fs::path& out = folder_.path();
     const Results probability = read_results(out / "probability" / "results.h5");
-    add_model_uncertainty(*project_, *demand_,
-                          read_results(out / "uncertainty" / "results.h5"), *design_);
+    add_model_uncertainty(*project_, *demand_, read_results(out / "uncertainty" / "results.h5"),
+                          *design_);
     add_exceedance(*project_, probability, *design_);
     const CalculationPackage package{*project_,
                                      *design_,
@@ -118,8 +118,7 @@ void run_sites(const ClearanceOptions& options, const Communicator& world, std::
     std::vector<std::string> studies;
     for (std::size_t i = 0; i < sites; ++i) {
       static_cast<void>(read_project(project, i));  // nothing runs where one is wrong
-      for (const char* study : study_names)
-        studies.push_back(site_folder(i) + "/" + study);
+      for (const char* study : study_names) studies.push_back(site_folder(i) + "/" + study);
     }
     return studies;
   });

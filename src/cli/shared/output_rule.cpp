@@ -41,7 +41,8 @@ void check_may_write(const fs::path& folder, const std::string& option) {
   if (is_folder && ::faccessat(AT_FDCWD, existing.c_str(), W_OK | X_OK, AT_EACCESS) == 0) return;
   const int error_number = is_folder ? errno : ENOTDIR;
   throw InputError({folder.string(),
-                    fmt::format("cannot be {} ({}): {}", existing == fs::absolute(folder) ? "written to" : "made",
+                    fmt::format("cannot be {} ({}): {}",
+                                existing == fs::absolute(folder) ? "written to" : "made",
                                 existing.string(), std::generic_category().message(error_number)),
                     "give a folder you may write to with " + option, ""});
 }

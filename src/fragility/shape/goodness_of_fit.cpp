@@ -8,6 +8,7 @@
 #include <map>
 
 #include "glissade/core/contract.hpp"
+#include "glissade/core/independent_units.hpp"
 #include "glissade/core/normal.hpp"
 #include "glissade/core/random.hpp"
 #include "glissade/core/root.hpp"
@@ -231,7 +232,7 @@ GoodnessOfFit lognormal_goodness_of_fit(const std::vector<Bracket>& rows,
   for (const Bracket& row : rows) {
     if (row.high == 0) continue;
     RecordSample& record = by_record[row.record];
-    record.unit = unit_of.empty() ? row.record : unit_of[row.record];
+    record.unit = unit_at(unit_of, row.record);
     ++record.count;
     const double y = std::log(row.low) - center;
     if (row.low == row.high) {

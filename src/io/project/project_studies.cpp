@@ -123,12 +123,10 @@ std::string demand_study(const Project& project, const fs::path& folder) {
     what.push_back(mu.what);
   }
   return displacement_study(
-      project,
-      head_of(project, folder, "demand", "displacement demand", {dbe, mce_over_dbe * dbe}),
+      project, head_of(project, folder, "demand", "displacement demand", {dbe, mce_over_dbe * dbe}),
       building_of(project, periods_of(project), mass_ratios_of(project), list_of,
                   {project.building.damping}),
-      slopes_of(project),
-      fmt::format("{}   # {}", list_of(frictions), fmt::join(what, ", ")));
+      slopes_of(project), fmt::format("{}   # {}", list_of(frictions), fmt::join(what, ", ")));
 }
 
 std::string uncertainty_study(const Project& project, const fs::path& folder) {
@@ -140,8 +138,7 @@ std::string uncertainty_study(const Project& project, const fs::path& folder) {
     }
   return displacement_study(
       project,
-      head_of(project, folder, "uncertainty", "ends of friction and damping",
-              {dbe_level(project)}),
+      head_of(project, folder, "uncertainty", "ends of friction and damping", {dbe_level(project)}),
       building_of(project, periods_of(project), project.building.mass_ratio, list_of,
                   dampings_of(project)),
       project.slope_deg, list_of({frictions.begin(), frictions.end()}));

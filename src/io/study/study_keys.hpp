@@ -16,7 +16,8 @@ using StudyTable = KeyTable<StudyConfig>;
 const std::vector<StudyTable>& study_tables();
 
 /// "building.damping: 0.05": what holds for each key that is left out and would have an effect.
-std::vector<StudyConfig::NotStated> keys_not_stated(const TomlTable& root, const StudyConfig& study);
+std::vector<StudyConfig::NotStated> keys_not_stated(const TomlTable& root,
+                                                    const StudyConfig& study);
 
 /// Reports every key that is given and has no effect. Reads after all others.
 void refuse_idle_keys(const TomlTable& root, const StudyConfig& study);

@@ -359,9 +359,10 @@ Table uncertainty_table(const CalculationPackage& package) {
   table.notes.push_back(fmt::format("At the MCE the displacement of the analysis is {}.",
                                     length_in_both(design.mce_analysis_m)));
   if (design.floor_governs)
-    table.notes.push_back(fmt::format("The least value of the standard governs, {}: a change up to "
-                                      "there has no effect on the separations.",
-                                      length_in_both(design.floor_m, 1)));
+    table.notes.push_back(
+        fmt::format("The least value of the standard governs, {}: a change up to "
+                    "there has no effect on the separations.",
+                    length_in_both(design.floor_m, 1)));
   const ProjectFriction& mu = package.project.friction;
   if (mu.lower_bound && *mu.lower_bound < mu.design())
     table.notes.push_back(fmt::format(

@@ -32,9 +32,9 @@ constexpr std::array report_names{"report.html",   "package.html", "product.html
                                   "sites.html",    "tables/*.csv", "figures/*.svg",
                                   "figures/*.pdf", "figures/*.gp", "figures/*.dat"};
 constexpr std::array calculation_names{
-    "demand.toml",  "uncertainty.toml", "probability.toml", "target_#.toml", "package.json",
-    "package.pdf",  "package.xlsx",     "product.json",     "product.pdf",   "product.xlsx",
-    "sites.json",   "sites.pdf",        "sites.xlsx"};
+    "demand.toml", "uncertainty.toml", "probability.toml", "target_#.toml", "package.json",
+    "package.pdf", "package.xlsx",     "product.json",     "product.pdf",   "product.xlsx",
+    "sites.json",  "sites.pdf",        "sites.xlsx"};
 
 bool is_number(std::string_view text) {
   return !text.empty() &&

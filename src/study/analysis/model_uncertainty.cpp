@@ -22,6 +22,8 @@ double AtEnds::change() const {
   return least == largest ? 0.0 : (largest - least) / calculated;
 }
 
+std::string PremiseEffect::name() const { return unit.empty() ? premise : premise + ", " + unit; }
+
 void sort_by_change(std::vector<PremiseEffect>& effects) {
   std::ranges::stable_sort(effects, std::greater(), [](const PremiseEffect& effect) {
     const double change = effect.result.change();
@@ -59,11 +61,9 @@ struct Found {
 /// What the histories of one run give of one threshold.
 class RunAtThreshold {
  public:
-  RunAtThreshold(const StudyConfig& study, const Results& results, std::size_t threshold)
-      : study_(study),
-        results_(results),
-        threshold_(threshold),
-        run_(results.runs[governing_run(results)]) {
+  RunAtThreshold(const StudyConfig& study, const Results& results, const RunResults& run,
+                 std::size_t threshold)
+      : study_(study), results_(results), threshold_(threshold), run_(run) {
     for (std::size_t i = results.levels.size(); i-- > 0;)
       if (earthquake_name(results.levels[i], results.model.dbe_level) == "DBE") dbe_ = i;
     all_ = of_run(run_);
@@ -109,7 +109,11 @@ class RunAtThreshold {
   }
   PremiseEffect effect(const std::string& premise, const std::string& unit, const char* ends,
                        double low, double high, const Found& at_low, const Found& at_high) const {
-    return {premise + (unit == "-" ? "" : ", " + unit), ends, low, high,
+    return {premise,
+            unit == "-" ? "" : unit,
+            ends,
+            low,
+            high,
             {at_low.intensity, all_.intensity, at_high.intensity},
             {at_low.probability, all_.probability, at_high.probability}};
   }
@@ -131,10 +135,9 @@ class RunAtThreshold {
           high == results_.runs.end())
         continue;
       const bool is_number = listed.names.empty();
-      effects.push_back(effect(listed.words(), listed.unit, "listed",
-                               is_number ? listed.values.front() : nan,
-                               is_number ? listed.values.back() : nan, of_run(*low),
-                               of_run(*high)));
+      effects.push_back(
+          effect(listed.words(), listed.unit, "listed", is_number ? listed.values.front() : nan,
+                 is_number ? listed.values.back() : nan, of_run(*low), of_run(*high)));
       if (!is_number)
         effects.back().ends = listed.described.front() + "; " + listed.described.back();
     }
@@ -150,8 +153,8 @@ class RunAtThreshold {
     double low = value(cases[third - 1]), high = value(cases[cases.size() - third]);
     if (low == high) low = value(cases.front()), high = value(cases.back());
     if (low == high) return;
-    const std::vector<std::size_t> lower(
-        cases.begin(), std::ranges::upper_bound(cases, low, {}, value)),
+    const std::vector<std::size_t> lower(cases.begin(),
+                                         std::ranges::upper_bound(cases, low, {}, value)),
         upper(std::ranges::lower_bound(cases, high, {}, value), cases.end());
     effects.push_back(effect(parameter.words, parameter.unit, "medians of a third of the samples",
                              value(lower[lower.size() / 2]), value(upper[upper.size() / 2]),
@@ -164,17 +167,19 @@ class RunAtThreshold {
                    probability = dbe_ ? of.probability_interval[*dbe_] : Interval();
     if (std::isnan(intensity.low) && std::isnan(probability.low)) return;
     effects.push_back(effect("records", "-", "95 % interval", nan, nan,
-                             {intensity.low, probability.low},
-                             {intensity.high, probability.high}));
+                             {intensity.low, probability.low}, {intensity.high, probability.high}));
     effects.back().is_of_records = true;
   }
 
   /// Those of the usual premises that have one value in all cases.
   std::string not_varied() const {
     std::string text;
-    for (const auto& [table, key] : {std::pair{"friction", "mu"}, {"roof", "slope_deg"},
-                                     {"building", "period_s"}, {"building", "alpha"},
-                                     {"building", "damping"}, {"building", "mass_ratio"}}) {
+    for (const auto& [table, key] : {std::pair{"friction", "mu"},
+                                     {"roof", "slope_deg"},
+                                     {"building", "period_s"},
+                                     {"building", "alpha"},
+                                     {"building", "damping"},
+                                     {"building", "mass_ratio"}}) {
       const Parameter& p = parameters()[parameter_index(table, key)];
       const bool is_of_building = p.moves_roof();
       const Quantity& quantity = study_.quantities.at(table, key);
@@ -201,9 +206,11 @@ class RunAtThreshold {
 
 std::vector<ModelUncertainty> ModelUncertaintyAnalysis::find(const StudyConfig& study,
                                                              const Results& results) {
-  std::vector<ModelUncertainty> found(results.runs.empty() ? 0 : results.thresholds_m.size());
+  if (results.runs.empty()) return {};
+  const RunResults& run = results.runs[governing_run(results)];
+  std::vector<ModelUncertainty> found(results.thresholds_m.size());
   in_parallel(found.size(), [&](std::size_t threshold) {
-    found[threshold] = RunAtThreshold(study, results, threshold).uncertainty();
+    found[threshold] = RunAtThreshold(study, results, run, threshold).uncertainty();
   });
   return found;
 }

@@ -25,7 +25,9 @@ class UncertaintyOfProject : public ProjectFiles {
     }
     return seven;
   }
-  Results demand(const std::string& text) { return test::run(make_plan(demand_of(text), {suite()})); }
+  Results demand(const std::string& text) {
+    return test::run(make_plan(demand_of(text), {suite()}));
+  }
   Results uncertainty(const std::string& text) {
     return test::run(make_plan(uncertainty_of(text), {suite()}));
   }
@@ -40,7 +42,7 @@ class UncertaintyOfProject : public ProjectFiles {
   }
   static const PremiseEffect* effect_of(const DesignClearance& design, const std::string& premise) {
     const auto& effects = design.uncertainty.effects;
-    const auto found = std::ranges::find(effects, premise, &PremiseEffect::premise);
+    const auto found = std::ranges::find(effects, premise, &PremiseEffect::name);
     return found == effects.end() ? nullptr : &*found;
   }
 };
@@ -75,8 +77,7 @@ TEST_F(UncertaintyOfProject, of_the_records_is_the_factor_on_the_interval_of_the
 
 // Student's t of 6 degrees of freedom at 0.975 is 2.446912 (any table): 0.04 t / sqrt(7).
 TEST_F(UncertaintyOfProject, takes_the_interval_of_the_mean_where_the_number_of_tests_is_known) {
-  const auto of_seven =
-      friction_ends(read(changed("std = 0.04 }", "std = 0.04 }\ntests = 7")));
+  const auto of_seven = friction_ends(read(changed("std = 0.04 }", "std = 0.04 }\ntests = 7")));
   EXPECT_NEAR(of_seven->low, 0.5 - 2.446912 * 0.04 / std::sqrt(7.0), 1e-8);
   EXPECT_NEAR(of_seven->high, 0.5 + 2.446912 * 0.04 / std::sqrt(7.0), 1e-8);
   const auto of_unknown = friction_ends(read(whole_project));
@@ -99,7 +100,9 @@ TEST_F(UncertaintyOfProject, is_infinite_where_the_array_slides_at_an_end_withou
 }
 
 TEST_F(UncertaintyOfProject, varies_damping_within_its_range) {
-  const auto dampings = [&](const char* keys) { return dampings_of(read(with("[building]", keys))); };
+  const auto dampings = [&](const char* keys) {
+    return dampings_of(read(with("[building]", keys)));
+  };
   EXPECT_THAT(dampings("damping = 0.04"), ElementsAre(0.02, 0.04, 0.08));
   EXPECT_THAT(dampings("damping = 0.6"), ElementsAre(0.3, 0.6, 0.999));
   EXPECT_THAT(dampings("damping = 0"), ElementsAre(0.0));

@@ -83,11 +83,10 @@ TEST(results_file, are_tested_with_every_analysis) {
   for (const Results& results : test::whole_results()) {
     for (const Table& table : csv_tables(results)) tables.insert(table.name);
   }
-  EXPECT_THAT(tables, testing::IsSupersetOf({"clearances", "base_shear", "fragility", "standards",
-                                             "impact", "shape", "hazard", "chart", "tipping",
-                                             "verdict", "sensitivity", "sampling_error",
-                                             "model_uncertainty",
-                                             "sampling_target", "rare", "intensity_measures"}));
+  EXPECT_THAT(tables, testing::IsSupersetOf(
+                          {"clearances", "base_shear", "fragility", "standards", "impact", "shape",
+                           "hazard", "chart", "tipping", "verdict", "sensitivity", "sampling_error",
+                           "model_uncertainty", "sampling_target", "rare", "intensity_measures"}));
 }
 
 TEST(results_file, have_the_numbers_of_the_tables) {

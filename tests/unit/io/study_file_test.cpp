@@ -169,9 +169,8 @@ TEST_F(StudyFile, keys_that_are_left_out_and_have_an_effect_are_named_with_what_
   const std::vector<std::string> of_rigid = not_stated(read(needed));
   for (const char* text : {"building.period_s: 0", "friction.across_mu: friction.mu"})
     EXPECT_THAT(of_rigid, has(text));
-  for (const char* text :
-       {"friction.mu", "building.hardening_ratio", "building.damping", "vertical.damping",
-        "building.alpha", "standards", "study"})
+  for (const char* text : {"friction.mu", "building.hardening_ratio", "building.damping",
+                           "vertical.damping", "building.alpha", "standards", "study"})
     EXPECT_THAT(of_rigid, testing::Not(has(text)));
   EXPECT_THAT(not_stated(read(needed + "[model]\naxes = 1\n[building]\nperiod_s = 1\n")),
               testing::Not(has("building.period_ratio")));
@@ -202,8 +201,9 @@ TEST_F(StudyFile, keys_of_another_building_are_not_named_as_left_out) {
            {"modes = " + mode + " }]\n", {2, 3, 4}},
            {"modes = " + damped, {3, 4}},
            {"modes = " + damped + "modes_across = " + damped + "period_ratio = 1\n", {4}},
-           {"modes = " + damped + "modes_across = [{ period_s = 0.5, participation = 1, "
-                                  "mass_share = 1, damping = 0.02 }]\n",
+           {"modes = " + damped +
+                "modes_across = [{ period_s = 0.5, participation = 1, "
+                "mass_share = 1, damping = 0.02 }]\n",
             {4}}}) {
     const std::vector<std::string> texts = not_stated(read(needed + "[building]\n" + keys));
     for (std::size_t i = 0; i < all.size(); ++i) {

@@ -34,7 +34,7 @@ StudyConfig config_of(const std::vector<double>& frictions) {
 
 const PremiseEffect& effect_of(const Results& results, const std::string& premise) {
   const auto& effects = results.uncertainties.front().effects;
-  return *std::ranges::find(effects, premise, &PremiseEffect::premise);
+  return *std::ranges::find(effects, premise, &PremiseEffect::name);
 }
 
 double p50(const Results& results) {
@@ -52,9 +52,9 @@ TEST(model_uncertainty, change_is_the_largest_less_the_smallest_over_that_as_cal
   EXPECT_EQ((AtEnds{0.0, 0.0, 0.0}.change()), 0.0);
   EXPECT_TRUE(std::isinf(AtEnds{infinity, 2.0, 1.0}.change()));
   EXPECT_TRUE(std::isnan(AtEnds{nan, 2.0, 1.0}.change()));
-  std::vector<PremiseEffect> effects{{"not known", "", 0, 1, {nan, 1.0, 1.0}},
-                                     {"small", "", 0, 1, {1.0, 1.0, 1.1}},
-                                     {"large", "", 0, 1, {1.0, 1.0, 2.0}}};
+  std::vector<PremiseEffect> effects{{"not known", "", "", 0, 1, {nan, 1.0, 1.0}},
+                                     {"small", "", "", 0, 1, {1.0, 1.0, 1.1}},
+                                     {"large", "", "", 0, 1, {1.0, 1.0, 2.0}}};
   sort_by_change(effects);
   EXPECT_EQ(effects.front().premise, "large");
   EXPECT_EQ(effects.back().premise, "not known");

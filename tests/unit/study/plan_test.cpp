@@ -571,8 +571,9 @@ TEST(plan, warns_of_a_period_along_the_second_axis_that_no_building_has) {
     EXPECT_THAT(small_plan(config).warnings,
                 testing::Contains(test::states("along the second axis", "60 s is above 10 s")));
     config.quantities.at("building", "period_ratio") = fixed(1.0);
-    EXPECT_THAT(small_plan(config).warnings, testing::Not(testing::Contains(testing::HasSubstr(
-                                                 "along the second axis: building"))));
+    EXPECT_THAT(
+        small_plan(config).warnings,
+        testing::Not(testing::Contains(testing::HasSubstr("along the second axis: building"))));
   }
 }
 

@@ -20,13 +20,16 @@ struct AtEnds {
 /// What a premise changes, all else as calculated; or the records, of which the ends are the 95 %
 /// interval.
 struct PremiseEffect {
-  std::string premise;           ///< with its unit: "building period, s"
+  std::string premise, unit;     ///< no unit: ""
   std::string ends;              ///< what they are: "listed"
   double low = nan, high = nan;  ///< of the premise; NaN: it is no number
-  /// Intensity at which half of the histories reach the threshold; of a project the displacement, m.
+  /// Intensity at which half of the histories reach the threshold; of a project the displacement,
+  /// m.
   AtEnds result;
   AtEnds probability = {};  ///< of reaching it at DBE; NaN where the study has no such level
   bool is_of_records = false;
+
+  std::string name() const;  ///< with the unit: "building period, s"
 };
 
 struct ModelUncertainty {

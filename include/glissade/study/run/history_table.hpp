@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "glissade/core/independent_units.hpp"
 #include "glissade/core/paged_memory.hpp"
 #include "glissade/fragility/share.hpp"
 
@@ -113,11 +114,6 @@ void for_each_history_field(Visit visit) {
 /// blanks. A record that states none is an event of its own. Empty where no record states one.
 std::vector<std::size_t> event_units(const std::vector<std::string>& events);
 
-/// How many independent units records have: each is one where `unit_of` is empty.
-inline std::size_t unit_count(const std::vector<std::size_t>& unit_of, std::size_t records) {
-  return unit_of.empty() ? records : 1 + *std::ranges::max_element(unit_of);
-}
-
 /// Histories by (record, case).
 struct HistoryTable {
   std::size_t records = 0, cases = 0, levels = 0, thresholds = 0;  ///< levels of each record
@@ -127,7 +123,7 @@ struct HistoryTable {
   /// By record: its independent unit, as event_units() numbers events. Empty: each record is one.
   std::vector<std::size_t> unit_of = {};
 
-  std::size_t unit(std::size_t record) const { return unit_of.empty() ? record : unit_of[record]; }
+  std::size_t unit(std::size_t record) const { return unit_at(unit_of, record); }
   std::size_t units() const { return unit_count(unit_of, records); }
   /// A number of each record, by the units of the intervals.
   UnitValues by_unit(const std::vector<double>& of_record) const {

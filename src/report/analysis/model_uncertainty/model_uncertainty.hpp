@@ -19,8 +19,8 @@ struct NumberAtEnds {
 /// Of a study and of a calculation package: what each premise changes, and the records.
 Table model_uncertainty_table(const std::vector<ModelUncertainty>& all, const std::string& title,
                               const std::vector<NumberAtEnds>& numbers);
-/// "records decide (their 95 % interval: 62 %; building period: 41 %)", where the interval of the
-/// records is known.
+/// "records decide (building period: 41 %; records, 95 % interval: 62 %)", where the interval of
+/// the records is known.
 std::string deciding_text(const ModelUncertainty& uncertainty);
 
 }  // namespace glissade

@@ -18,24 +18,25 @@ Table model_uncertainty_table(const std::vector<ModelUncertainty>& all, const st
   TableOf<ModelUncertainty, P> t("model_uncertainty", title);
   t.put_all(threshold_column);
   t.text("premise", "Premise", "what is varied, all else as calculated; or the records",
-         &P::premise);
+         [](const P& of) { return of.name(); });
   t.text("ends", "Ends", "what low and high are", &P::ends);
   t.number("low", "Low", "low end of the premise, in its unit; nan: no number", &P::low);
   t.number("high", "High", "high end of the premise, in its unit; nan: no number", &P::high);
   for (const NumberAtEnds& number : numbers)
-    for (const auto& [stem, where, end] :
-         {std::tuple{"low_", "Low end: ", &AtEnds::low},
-          {"calculated_", "As calculated: ", &AtEnds::calculated},
-          {"high_", "High end: ", &AtEnds::high}}) {
+    for (const auto& [stem, where, end] : {std::tuple{"low_", "Low end: ", &AtEnds::low},
+                                           {"calculated_", "As calculated: ", &AtEnds::calculated},
+                                           {"high_", "High end: ", &AtEnds::high}}) {
       Column column = number.column;
-      column.description = where + (column.description.empty() ? column.heading
-                                                               : column.description);
+      column.description =
+          where + (column.description.empty() ? column.heading : column.description);
       column.heading = where + column.heading;
       column.stem = stem + column.stem;
       t.put(column, [number, end](const P& of) { return number.cell(of.*number.numbers.*end); });
     }
-  t.share("change", "Change", "largest less smallest of the first three numbers, over that as "
-          "calculated", [](const P& of) { return of.result.change(); });
+  t.share("change", "Change",
+          "largest less smallest of the first three numbers, over that as "
+          "calculated",
+          [](const P& of) { return of.result.change(); });
   t.add_each(all, &ModelUncertainty::effects);
   if (!all.empty() && !all.front().not_varied.empty())
     t.notes.push_back("Not varied: " + all.front().not_varied + ".");
@@ -52,12 +53,10 @@ std::string deciding_text(const ModelUncertainty& uncertainty) {
   const auto change = [](const PremiseEffect* of) { return of ? of->result.change() : nan; };
   const auto text = [](double of) { return std::isinf(of) ? "without limit" : format_share(of); };
   if (premise == nullptr) return "no premise is varied";
-  const std::string largest =
-      fmt::format("{}: {}", premise->premise.substr(0, premise->premise.find(',')),
-                  text(change(premise)));
+  const std::string largest = fmt::format("{}: {}", premise->premise, text(change(premise)));
   if (std::isnan(change(premise)) || std::isnan(change(records)))
     return "not known (" + largest + ")";
-  return fmt::format("{} decide ({}; 95 % interval: {})",
+  return fmt::format("{} decide ({}; records, 95 % interval: {})",
                      change(records) < change(premise) ? "premises" : "records", largest,
                      text(change(records)));
 }
@@ -87,8 +86,8 @@ std::vector<std::string> sentences(const Results& results) {
   for (const ModelUncertainty& uncertainty : results.uncertainties)
     text += (text.empty() ? "" : "; ") + short_length(uncertainty.threshold_m) + ": " +
             deciding_text(uncertainty);
-  return {"Largest change of the intensity with a 50 % chance of exceedance, by clearance: " + text +
-          "."};
+  return {"Largest change of the intensity with a 50 % chance of exceedance, by clearance: " +
+          text + "."};
 }
 
 }  // namespace
